@@ -135,7 +135,7 @@ def check_text(prompt: str) -> None:
         InputError: The text is empty, too long, without words or not English.
     """
     if not isinstance(prompt, str):
-        raise InputError(f"Expected a text or a ScenePlan, got {type(prompt).__name__}.")
+        raise InputError(f"Expected a prompt or a ScenePlan, got {type(prompt).__name__}.")
     if not prompt.strip():
         raise InputError(f"The text is empty. Describe a tabletop, for example {EXAMPLE}.")
     if len(prompt) > MAX_CHARACTERS:

@@ -92,8 +92,8 @@ def unsimulatable(name: str, reason: str, when: str = "") -> SceneError:
     """Return the error which says that MuJoCo cannot simulate a scene."""
     said = " ".join(reason.split())[:200]
     return SceneError(
-        f"MuJoCo cannot simulate the scene {name!r}{when}: {said!r}. Make the scene again: its "
-        "bodies overlap."
+        f"MuJoCo cannot simulate the scene {name!r}{when}: {said!r}. Its bodies may overlap; make "
+        "the scene again."
     )
 
 

@@ -220,7 +220,7 @@ def test_a_link_is_not_followed(bundle: Path, tmp_path: Path) -> None:
 def test_wrong_requests_are_explained(bundle: Path, shell: Shell) -> None:
     with pytest.raises(InputError, match="Did you mean 'Stack'"):
         Terms(("Stak",))
-    with pytest.raises(InputError, match="episodes must be a whole number >= 1 and <= 10000, got 0"):
+    with pytest.raises(InputError, match="must be a whole number >= 1 and <= 10000, got 0"):
         Terms(episodes=0)
     with pytest.raises(InputError, match="at least one task"):
         Terms(())

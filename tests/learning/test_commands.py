@@ -125,7 +125,7 @@ def test_zips_are_loaded_only_if_trusted(trained: Path, table: str, shell) -> No
         (("enjoy", "{}", "--render", "--video-strip", "x.png"), 2, "not both"),
         (("enjoy", "{}", "--workers", "2", "--video-strip", "x.png"), 2, "remove --workers"),
         (("enjoy", "{}", "--ray", "auto", "--render"), 2, "remove --workers and --ray"),
-        (("enjoy", "{}", "--workers", "0"), 2, "enjoy needs --workers"),
+        (("enjoy", "{}", "--workers", "0"), 2, "--workers must be"),
         (("enjoy", "{}/.."), 2, "no policy yet"),
         (("train", "reach-sacc"), 2, "Did you mean 'reach-sac'"),
         (("train", "reach-clone", "--steps", "9"), 2, "cloning.rounds"),

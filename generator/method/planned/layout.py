@@ -77,7 +77,7 @@ def _lay_out(draft: SceneDraft, seed: int) -> Laid:
             return best
         warnings = (
             *layout.warnings,
-            "The table is the plan's, and all objects are placed on it again.",
+            "The planned table is used, and all objects were placed on it again.",
         )
         laid, _ = _judge(draft, layout.placements, table, warnings, ())
         if best is None or laid.faults < best.faults:

@@ -29,7 +29,7 @@ def checked_text(text: object) -> str:
         InputError: it is not a string, is empty, or is too long.
     """
     if not isinstance(text, str):
-        raise InputError(f"Expected a text or a ScenePlan, got {type(text).__name__}.")
+        raise InputError(f"Expected a prompt or a ScenePlan, got {type(text).__name__}.")
     if not any(c.isalpha() for c in text):
         raise InputError(
             "The prompt contains no words. Describe a tabletop, for example 'a desk with a lamp'."
