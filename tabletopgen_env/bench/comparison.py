@@ -38,7 +38,7 @@ def difference(result: BenchResult, baseline: BenchResult) -> PairedDifference:
         if (own := getattr(result, name)) != (other := getattr(baseline, name)):
             raise InputError(
                 f"Results can only be compared on the same suite: {result.player.name} has "
-                f"{name} {own[:40]!r}, {baseline.player.name} {other[:40]!r}."
+                f"{name} {own[:40]!r}, and {baseline.player.name} has {other[:40]!r}."
             )
     before = {row.key: row.solved for row in baseline.episodes}
     if before.keys() != {row.key for row in result.episodes}:

@@ -81,14 +81,14 @@ def _suite(result: BenchResult) -> Suite:
     """Return the suite of a result, after checking that the episodes of both match."""
     if not result.suite.removesuffix(RANDOM).endswith("-test"):
         raise InputError(
-            "The leaderboard only accepts test suites; there is a result of "
-            f"{result.player.name} is of {result.suite!r}."
+            "The leaderboard only accepts test suites; remove the result of "
+            f"{result.player.name} on {result.suite!r}."
         )
     suite = find_suite(result.suite)
     check_suite(result, suite)
     if found := doubts(result, suite):
         raise InputError(
-            f"The result of {result.player.name} on {result.suite} has impossible figures: "
+            f"The result of {result.player.name} on {result.suite} has impossible values: "
             f"{'; '.join(map(str, found))}. Remove it; `tabletopgen bench check` gives details."
         )
     return suite

@@ -204,7 +204,7 @@ def _resume(
             raise InputError(f"{journal} is damaged ({error!s:.200}). Remove it.") from error
         asked = [row_of(episode, _NOTHING).key for episode in episodes]
         if [row.key for row in rows] != asked[: len(rows)]:
-            raise InputError(f"{journal} does not hold the suite's episodes. Remove it.")
+            raise InputError(f"{journal} does not contain the suite's episodes. Remove it.")
     text = _line(head) + "".join(_line(dataclasses.asdict(row)) for row in rows)
     write_whole(journal, text, "The journal", "Choose another --out.")
     return rows
@@ -228,6 +228,6 @@ def _check_same(path: Path, head: dict[str, Any]) -> None:
     other = [key for key, value in head.items() if check_type(payload, dict)[key] != value]
     if other:
         raise InputError(
-            f"{path} is a different result (other {', '.join(other)}). Remove it, or choose "
+            f"{path} is a different result (different {', '.join(other)}). Remove it, or choose "
             "another --out or --name."
         )

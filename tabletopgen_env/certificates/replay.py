@@ -71,7 +71,8 @@ class StartReplay:
         other = (
             f"; the certificate was made with {', '.join(self.versions)}" if self.versions else ""
         )
-        return f"{_name_of(self.instance)}: episode {self.number} is {now}, listed as {said}{other}"
+        name = _name_of(self.instance)
+        return f"{name}: episode {self.number} is {now}, but is listed as {said}{other}"
 
 
 def check_certificate(path: Path, count: int, seed: int) -> tuple[int, Sequence[object]]:

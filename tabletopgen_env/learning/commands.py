@@ -112,8 +112,8 @@ def train(
 
     if steps is not None and chosen.algorithm == "clone":
         raise InputError(
-            f"{chosen.name} has no --steps: its length is set by its rounds; use --set "
-            "cloning.rounds=4, for example."
+            f"--steps does not apply to {chosen.name}, whose length is set by its rounds; use, "
+            "for example, --set cloning.rounds=4."
         )
     given = {"scenes": _one(scenes), "held_out": _one(held_out), "steps": steps}
     chosen = dataclasses.replace(chosen, **{k: v for k, v in given.items() if v not in (None, ())})

@@ -364,7 +364,7 @@ def _validation(payload: dict[str, Any]) -> dict[str, Any]:
 def _check_printable(value: Any) -> None:
     """Raise InputError for strings with control characters."""
     if isinstance(value, str) and not value.isprintable():
-        raise InputError(f"The texts of a policy's card must be printable, got {value!r}.")
+        raise InputError(f"The strings of a policy's card must be printable, got {value!r}.")
     if isinstance(value, dict):
         value = [*value, *value.values()]
     if isinstance(value, list | tuple):

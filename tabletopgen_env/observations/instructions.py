@@ -63,9 +63,9 @@ class InstructionText(spaces.Text):
             return
         self._warned = True
         warnings.warn(
-            "The observation has the instruction as text (spaces.Text), which Stable-Baselines3 "
-            "cannot read: for its algorithms, make the environment with instruction='embedding', "
-            "'tokens' or 'none'; info['instruction'] has the text.",
+            "The observation contains the instruction as a string (spaces.Text), which "
+            "Stable-Baselines3 cannot read: for its algorithms, create the environment with "
+            "instruction='embedding', 'tokens' or 'none'; info['instruction'] has the string.",
             stacklevel=3,
         )
 

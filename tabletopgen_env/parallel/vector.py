@@ -256,7 +256,7 @@ class TabletopVectorEnv(VectorEnv[Any, Any, Any]):
         """
         chosen = list(range(self.num_envs) if slots is None else slots)
         if wrong := [k for k in chosen if k not in range(self.num_envs)]:
-            raise InputError(f"Slots must be 0 to {self.num_envs - 1}, got {wrong}.")
+            raise InputError(f"Slots must be from 0 to {self.num_envs - 1}, got {wrong}.")
         with self._running() as runner:
             return runner.visit(dict.fromkeys(chosen, work))
 

@@ -110,8 +110,9 @@ class ObservationConfig:
             )
         if self.looks and self.mode == "pixels+proprio":
             raise InputError(
-                "geometry='height_map' shows hidden surfaces, and 'pixels+proprio' has only "
-                "inputs of a real robot; use 'pixels+state', or kinds with 'depth'."
+                "geometry='height_map' shows hidden surfaces, which 'pixels+proprio', limited to "
+                "the inputs of a real robot, cannot include; use 'pixels+state', or kinds with "
+                "'depth'."
             )
         if self.grasp_hint and self.mode in ("pixels", "pixels+proprio", "point_cloud"):
             raise InputError(
@@ -130,7 +131,7 @@ class ObservationConfig:
         if self.instruction != "none" and self.is_flat:
             raise InputError(
                 f"instruction={self.instruction!r} requires a mode with pictures or points, not "
-                f"{self.mode!r}; info['instruction'] has the text."
+                f"{self.mode!r}; info['instruction'] has the string."
             )
         if self.target_mark != "none" and not self.mode.startswith("pixels"):
             raise InputError(
@@ -208,8 +209,8 @@ def _picture_size(name: str, size: int | tuple[int, int], maximum: int) -> tuple
     sizes = tuple(size) if isinstance(size, Iterable) else (size, size)
     if len(sizes) != 2 or not all(_is_whole(k, _SMALLEST, maximum) for k in sizes):
         raise InputError(
-            f"{name} must be between {_SMALLEST} and {maximum} pixels, one number or "
-            f"(height, width), got {size!r}."
+            f"{name} must be one number or (height, width), between {_SMALLEST} and {maximum} "
+            f"pixels, got {size!r}."
         )
     return int(sizes[0]), int(sizes[1])
 

@@ -43,7 +43,7 @@ class Tidy(Task):
         """Draw a container, or use the given one; see ``Task.sample``."""
         if target is not None:
             raise InputError("Tidy moves all objects that fit; leave the option 'target' out.")
-        wanted = given_object(world, goal, "to put things into", "Tidy is a container's name")
+        wanted = given_object(world, goal, "to put objects into", "Tidy must be a container's name")
         reasons = liftable(world)
         small = [o for o in world.scene.objects if reasons[o.name] is None]
         loads: dict[str, list[Object]] = {}

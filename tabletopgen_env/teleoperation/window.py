@@ -43,13 +43,13 @@ class TeleopWindow:
         import glfw
 
         if not glfw.init():
-            raise BackendError("No window can be opened here. Use --device page, and a browser.")
+            raise BackendError("No window can be opened. Use --device page and a browser.")
         glfw.window_hint(glfw.RESIZABLE, glfw.FALSE)
         self._glfw: Any = glfw
         self._window = glfw.create_window(width, height, "tabletopgen teleop", None, None)
         if not self._window:
             glfw.terminate()
-            raise BackendError("No window can be opened here. Use --device page, and a browser.")
+            raise BackendError("No window can be opened. Use --device page and a browser.")
         self._size = height, width
 
     def read(self) -> HumanInput | None:

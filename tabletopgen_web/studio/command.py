@@ -97,6 +97,6 @@ def _read_studies(paths: tuple[Path, ...]) -> dict[str, StudyPage]:
         page = read_page(path, template, _POST)
         if page.study in found:
             raise InputError(f"{str(path)!r} belongs to study {page.study}, which was already "
-            f"given. Name each study once.")  # fmt: skip
+            f"given. Pass each study once.")  # fmt: skip
         found[page.study] = page
     return found

@@ -162,7 +162,7 @@ def _read_edit(fields: Fields) -> EditSpec:
     to, turn = fields.pair("to", _FAR), fields.number("turn", -360, 360)
     seed, paid = fields.seed(), _read_paid(fields, False)
     if not WordedEdit(action, words, to, turn, seed).is_complete:
-        raise InputError(f"{action} needs {_EDITS[action]}; to and turn are only for move.")
+        raise InputError(f"{action} requires {_EDITS[action]}; only move accepts to and turn.")
     return EditSpec(scene, action, words, to, turn, seed, paid)
 
 

@@ -226,9 +226,9 @@ def test_wrong_calls_are_refused(batch: BatchWorld) -> None:
         batch.step(home(2), SUBSTEPS)
     with pytest.raises(InputError, match="substeps"):
         batch.step(home(3), 0)
-    with pytest.raises(InputError, match=r"are 0 to 2, got \[3\]"):
+    with pytest.raises(InputError, match=r"from 0 to 2, got \[3\]"):
         batch.load([3], [0])
-    with pytest.raises(InputError, match=r"are 0 to 1, got \[-1, 2\]"):
+    with pytest.raises(InputError, match=r"from 0 to 1, got \[-1, 2\]"):
         batch.load([0, 1], [2, -1])
     with pytest.raises(InputError, match="a scene for each world, got 1 for 2"):
         batch.load([0, 1], [1])

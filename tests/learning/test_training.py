@@ -252,7 +252,7 @@ def test_a_wrong_recipe_leaves_nothing_behind(small, folder: Path) -> None:
         ({"options": {"nothing": 1}}, "nothing"),
         ({"cloning": {"nothing": 1}}, "nothing"),
         ({"network": {"layers": [1200, 1200]}}, "exceeds the maximum of"),
-        ({"task": "Stack"}, "No valid task"),
+        ({"task": "Stack"}, "no valid task"),
     ):
         with pytest.raises(TabletopError, match=why):
             train(small(**wrong), folder, QUICK, say=quiet)

@@ -450,7 +450,7 @@ def test_wrong_requests_are_explained(
         (CONFIG, {"out": dataset}, "already exists"),
         (CONFIG, {"lerobot": LeRobotConfig(video="h265")}, "Unknown video codec 'h265'"),  # type: ignore[arg-type]
         (CONFIG, {"lerobot": LeRobotConfig(quality=99)}, "quality must be a whole number"),
-        (CONFIG, {"format": "npz", "resume": True}, "'npz' cannot be resumed, only one in lerobot"),
+        (CONFIG, {"format": "npz", "resume": True}, "'npz' cannot be resumed; only lerobot"),
         (replace(CONFIG, image_size=15), {}, "an even width and height, but 'front' has 15 x 15"),
     ]
     for config, settings, reason in cases:

@@ -150,7 +150,7 @@ def read_showings(path: Path) -> list[GraspShowing]:
             raise ValueError("non-finite numbers")
     except (ValueError, KeyError, TypeError, InputError) as error:
         raise BundleError(
-            f"{path} is not a valid file of showings ({error}). Delete it."
+            f"{path} is not a valid file of demonstrations ({error}). Delete it."
         ) from error
     parts = np.split(grasps.astype(np.float32), np.cumsum(counts)[:-1]) if n else []
     return [GraspShowing(*row) for row in zip(maps, stands.astype(np.float32), parts, strict=True)]

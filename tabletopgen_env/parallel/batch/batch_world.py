@@ -198,7 +198,7 @@ class BatchWorld:
         at = torch.as_tensor(given, dtype=torch.long)
         if at.device.type == "cpu" and len(at) and not 0 <= at.min() <= at.max() < count:
             wrong = sorted({k for k in at.tolist() if not 0 <= k < count})
-            raise InputError(f"Valid {name} are 0 to {count - 1}, got {wrong[:5]}.")
+            raise InputError(f"{name} must be from 0 to {count - 1}, got {wrong[:5]}.")
         return at.to(self.device)
 
     def _update_poses(self, at: Int[Tensor, "k"]) -> None:

@@ -379,6 +379,5 @@ def time_limit(task: Task) -> int:
         if kind.__name__ in STEPS:
             return STEPS[kind.__name__]
     raise InputError(
-        f"No time limit is registered for {type(task).__name__}. Pass max_episode_steps, a number "
-        "of steps."
+        f"No time limit is registered for {type(task).__name__}. Pass one as max_episode_steps."
     )

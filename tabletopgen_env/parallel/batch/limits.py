@@ -92,7 +92,7 @@ def check_memory(bank: SceneBank, limits: BatchLimits, worlds: int, device: torc
         raise InputError(
             f"{worlds} worlds take about {worlds * each / 2**30:.1f} GiB, and {str(device)!r} "
             f"has {free / 2**30:.1f} GiB free: at most {free // each} fit. Use fewer worlds, "
-            "or lower BatchLimits."
+            "or lower the values of BatchLimits."
         )
 
 

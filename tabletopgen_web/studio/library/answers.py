@@ -44,7 +44,7 @@ class AnswerBook:
             (not folder.exists() and _count(self.folder) >= _MAX_STUDIES)
             or (folder.exists() and _count(folder) >= _MAX_RATERS)
         ):
-            raise RefusedError(507, "There are too many raters or studies; no more are accepted.")
+            raise RefusedError(507, "The limit of raters or studies is reached; none can be added.")
         kept = self._read(path)
         if _text(answer) in map(_text, kept):
             return len(kept)

@@ -59,7 +59,7 @@ class JobOrder:
     def start(self) -> Path:
         """The input scene of the job (InputError: it has none)."""
         if self.bundle is None:
-            raise InputError("The job names no scene.")
+            raise InputError("The job does not specify a scene.")
         return self.bundle
 
 

@@ -280,7 +280,7 @@ def test_scenes_can_be_a_curriculum_of_any_others() -> None:
     assert isinstance(starters, CurriculumScenes) and isinstance(starters.source, FixedScenes)
     assert make_env("curriculum", task="Tidy").source.source.prompts.needs  # type: ignore
     for wrong in ("curriculum:", "curriculum: ", "curriculum:curriculum:fresh"):
-        with pytest.raises(InputError, match="names no scenes for the curriculum"):
+        with pytest.raises(InputError, match="does not specify the curriculum's scenes"):
             resolve(wrong)
     with pytest.raises(InputError, match="not a fixed scene"):
         resolve(["curriculum:starter"])
