@@ -54,9 +54,9 @@ def frozen_array(
         wanted = "×".join("n" if n is None else str(n) for n in shape)
         raise InputError(f"{what} must have shape {wanted}, got {array.shape}.")
     if array.dtype.kind == "f" and not np.isfinite(array).all():
-        raise InputError(f"{what} contains NaN or infinity; all values must be finite.")
+        raise InputError(f"{what} holds NaN or infinity; every number must be finite.")
     if maximum is not None and array.size and np.abs(array).max() > maximum:
-        raise InputError(f"{what} must be at most {maximum:g} in magnitude.")
+        raise InputError(f"{what} holds numbers beyond {maximum:g}: at most that is simulated.")
     array.setflags(write=False)
     return array
 
@@ -192,9 +192,7 @@ class Physics:
         if not (0 < self.density < 3e4 and 0 < self.friction < 5):
             raise InputError(f"Physics needs density in (0, 30000) and friction in (0, 5): {self}.")
         if self.shell is not None and not 0 < self.shell < 1:
-            raise InputError(
-                f"Physics.shell must be a wall thickness in (0, 1) m, got {self.shell}."
-            )
+            raise InputError(f"Physics.shell is a wall thickness in (0, 1) m, got {self.shell}.")
 
 
 @dataclass(frozen=True, eq=False)
@@ -224,10 +222,10 @@ class Model:
     def __post_init__(self) -> None:
         freeze(self, FARTHEST, size=VECTOR)
         if (self.size < SMALLEST).any():
-            raise InputError(f"Model.size must be at least {SMALLEST:g} m, got {self.size}.")
+            raise InputError(f"Model.size must be metres, {SMALLEST:g} or more, got {self.size}.")
         if not np.allclose(self.mesh.bounds, [[-0.5] * 3, [0.5] * 3], atol=1e-3):
             raise InputError(
-                f"Model {self.name!r}: mesh must fill the unit box [-0.5, 0.5]^3, but "
+                f"Model {self.name!r}: mesh must fill the unit box [-0.5, 0.5]^3, "
                 f"its bounds are {self.mesh.bounds.tolist()}. Use values.to_unit_box."
             )
         if self.orientation is not None:

@@ -77,7 +77,7 @@ def decode_scene(payload: Mapping[str, Any], file: Callable[[str], bytes]) -> De
     _check_models(models, bodies)
     for thing in objects:
         if thing["placement"].name != thing["name"]:
-            raise BundleError(f"The placement of {thing['name'][:80]!r} names another object.")
+            raise BundleError(f"The placement of {thing['name'][:80]!r} is another object's.")
     looks = {
         key: (model["mesh"], model.pop("texture"), model.pop("opacity"))
         for key, model in models.items()

@@ -121,7 +121,7 @@ def _difference(wanted: ET.Element, found: ET.Element) -> str:
         if not (value == found.attrib[key] or _close(key, value, found.attrib[key])):
             return f"{where} has {key}={found.attrib[key][:80]!r}, not {value[:80]!r}"
     if (found.text or "").strip() or (found.tail or "").strip():
-        return f"{where} holds text"
+        return f"{where} contains text"
     if len(wanted) != len(found):
         return f"{where} has {len(found)} elements, not {len(wanted)}"
     differences = (_difference(one, other) for one, other in zip(wanted, found, strict=True))

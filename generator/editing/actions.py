@@ -313,7 +313,9 @@ def _check_move(where: object, turn: float) -> None:
             f"and a turn must be finite; got {where!r} and {turn!r}."
         )
     if where is None and turn == 0:
-        raise InputError("Give a position as a text or in metres, or an angle to turn by.")
+        raise InputError(
+            "Specify a position, as a description or in metres, or an angle to turn by."
+        )
 
 
 def _aside(wanted: Scene, done: Scene, name: str) -> tuple[str, ...]:

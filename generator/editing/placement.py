@@ -147,7 +147,7 @@ def place_by_relations(
     things = (planned, *beneath(scene, planned, away))
     plan = ScenePlan(planned.noun, PlannedTable(), things, "plain")
     layout = arrange_more(plan, placed, models, table, seed, {planned.name: yaw})
-    advice = "Remove or move something first, or choose another position."
+    advice = "Remove or move another object first, or choose another position."
     if layout.warnings or not layout.placements:
         reasons = layout.warnings or (f"There is no free place on the table for {planned.name}.",)
         raise SceneError(f"{' '.join(reasons).split(';')[0].rstrip('.')}. {advice}")

@@ -293,7 +293,7 @@ def _number(value: object, name: str, what: str) -> float | None:
     if value is None:
         return None
     if not is_number(value, minimum=-1e12):
-        raise InputError(f"Node {name!r} needs a number as its {what}.")
+        raise InputError(f"The {what} of node {name!r} must be a number.")
     return float(cast("float", value))
 
 

@@ -281,7 +281,7 @@ def _read_bytes(source: object, config: ReferenceConfig, what: str = "picture") 
     data = source
     if isinstance(source, str | Path):
         if not os.path.lexists(source):
-            hint = " Pass a text, or a path to a file." if what == "picture" else ""
+            hint = " Pass a prompt, or the path of a file." if what == "picture" else ""
             raise InputError(f"No {what} at {str(source)!r}.{hint}")
         if Path(source).is_dir():
             raise InputError(f"{str(source)!r} is a directory. Pass the path of a {what}.")

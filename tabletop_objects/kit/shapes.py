@@ -412,7 +412,7 @@ class Category:
 
     def __post_init__(self) -> None:
         if self.material not in FRICTION:
-            raise InputError(f"{self.key} has the unknown material {self.material!r}." + choices(
+            raise InputError(f"{self.key} has the material {self.material!r}." + choices(
                 self.material, FRICTION))  # fmt: skip
         if not self.noun:
             object.__setattr__(self, "noun", self.key.replace("_", " "))

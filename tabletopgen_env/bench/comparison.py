@@ -61,7 +61,7 @@ def compare(results: Sequence[BenchResult]) -> list[tuple[str, ...]]:
         InputError: there are no results, or they belong to different suites.
     """
     if not results:
-        raise InputError("Give at least one result to compare.")
+        raise InputError("Specify at least one result to compare.")
     levels = list(dict.fromkeys(row.level for row in results[0].episodes))
     head = ("policy", "solved", "share", "95 %", *levels, "difference", "95 %", "gained", "lost")
     return [head, *(_row(r, results[0], levels, k == 0) for k, r in enumerate(results))]

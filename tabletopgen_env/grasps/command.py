@@ -55,7 +55,7 @@ def grasps(
     from .sampling import is_labelled, label_bundle
 
     if not bundles:
-        raise InputError("Name at least one bundle to label.")
+        raise InputError("Specify at least one bundle to label.")
     terms = GraspTerms(count, trials, directions, seed)
     found = [*dict.fromkeys(path for wanted in bundles for path in assets_cache.find(wanted))]
     if picture is not None:

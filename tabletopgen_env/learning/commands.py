@@ -215,7 +215,7 @@ def plot(
             with expert advice), or hours, including evaluations.
     """
     if not runs:
-        raise InputError("Give the folder of at least one run to plot.")
+        raise InputError("Specify the folder of at least one run to plot.")
     check_target(out)
     need_sb3()
     from generator.io.pictures import write_picture

@@ -300,7 +300,7 @@ def _card(notes: Mapping[str, str]) -> tuple[Card, list[float]]:
     _check_printable(payload)
     version = payload.pop("format", None)
     if type(version) is not int or version != FORMAT:
-        raise ValueError(f"its version is {version!r}, this package reads version {FORMAT}")
+        raise ValueError(f"its version is {version!r}, but this package reads version {FORMAT}")
     if set(payload) != {*(f.name for f in fields(Card)), "answers"}:
         raise ValueError(f"its card has unexpected keys: {', '.join(sorted(payload))}")
     inputs = {check_type(k, str): _shape(v) for k, v in check_type(payload["inputs"], dict).items()}

@@ -176,7 +176,7 @@ class Recipe:
              "demonstrations need the replay buffer of SAC or TD3"),
             (self.cloning is not None and self.algorithm not in ("sac", "clone"),
              "only SAC's actor can be cloned"),
-            (self.algorithm == "clone" and self.cloning is None, "'clone' needs the table cloning"),
+            (self.algorithm == "clone" and self.cloning is None, "'clone' needs a [cloning] table"),
             (self.batch is not None and self.algorithm != "ppo-batch",
              "only 'ppo-batch' trains on a batch"),
             (self.batch is not None and self.processes is not None,
@@ -232,7 +232,7 @@ def recipe(name: str, changes: Iterable[str] = ()) -> Recipe:
             raise InputError(
                 f"Unknown recipe {name!r}."
                 + choices(name, shipped)
-                + (" For your own recipe, give the path of a TOML file.")
+                + (" For your own recipe, pass the path of a TOML file.")
             )
         payload = shipped[name]
     payload = _merge({"env": {"randomization": STARTS}}, payload)

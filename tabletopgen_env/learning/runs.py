@@ -184,10 +184,10 @@ def begin(path: Path, recipe: Recipe, seed: int) -> Run:
     """
     if (path / _RECIPE).exists():
         raise InputError(
-            f"{path} already holds a run: continue with --resume, or choose another --out."
+            f"{path} already contains a run: continue with --resume, or choose another --out."
         )
     if path.exists() and (not path.is_dir() or any(path.iterdir())):
-        raise InputError(f"{path} already holds other files; choose another --out.")
+        raise InputError(f"{path} already contains other files; choose another --out.")
     there = path.exists()
     try:
         path.mkdir(parents=True, exist_ok=True)

@@ -88,7 +88,7 @@ def _claim(part: Path, key: Mapping[str, Any]) -> None:
     wanted = json.loads(json.dumps(key))
     path = part / _KEY
     if not path.is_file():
-        write_whole(path, json.dumps(wanted, indent=1), "The recording", "Choose another place.")
+        write_whole(path, json.dumps(wanted, indent=1), "The recording", "Choose another path.")
         return
     raw = read_regular(path, "The interrupted recording", StorageError, max_bytes=_MOST_BYTES)
     found = parse_object(raw, f"The interrupted recording {str(path)!r}", StorageError)

@@ -223,7 +223,7 @@ def _some(what: str, wanted: Any, known: Collection[str]) -> tuple[str, ...]:
         _check_name(what, name, known)
     if not names or len(set(names)) < len(names):
         raise InputError(
-            f"An observation needs at least one {what}, each at most once, got {names}."
+            f"An observation must have at least one {what}, without repetition, got {names}."
             + choices("", known)
         )
     return names
@@ -240,7 +240,7 @@ def _read_cameras(
             _check_name("camera", name, _CAMERAS)
         if set(size) != set(names):
             raise InputError(
-                f"image_size needs a size for each of the cameras {', '.join(names)}, got "
+                f"image_size must have a size for each of the cameras {', '.join(names)}, got "
                 f"{', '.join(map(str, size)) or 'none'}."
             )
         return names, {n: _picture_size("image_size", size[n], _LARGEST) for n in names}

@@ -42,7 +42,7 @@ class Tidy(Task):
     ) -> Episode:
         """Draw a container, or use the given one; see ``Task.sample``."""
         if target is not None:
-            raise InputError("Tidy moves all objects that fit; leave the option 'target' out.")
+            raise InputError("Tidy moves all objects that fit; omit the option 'target'.")
         wanted = given_object(world, goal, "to put objects into", "Tidy must be a container's name")
         reasons = liftable(world)
         small = [o for o in world.scene.objects if reasons[o.name] is None]

@@ -56,7 +56,7 @@ class TeleopPage:
             from websockets.sync.server import serve
         except ImportError as error:
             raise BackendError(
-                "Driving through a page needs the package websockets: pip install "
+                "Teleoperation through a page needs the package websockets: pip install "
                 "'tabletopgen[teleop]'. --device window does not need it."
             ) from error
         self._token = secrets.token_urlsafe(16)
@@ -186,7 +186,7 @@ def read_input(message: str | bytes) -> HumanInput:
             raise ValueError("its buttons must be small integers")
         given = tuple(float(axis) if type(axis) in (int, float) else np.nan for axis in axes)
         if not all(-1.0 <= axis <= 1.0 for axis in given):
-            raise ValueError("axes beyond [-1, 1]")
+            raise ValueError("its axes must be in [-1, 1]")
     except (ValueError, TypeError, KeyError, RecursionError, OverflowError) as error:
         raise InputError(
             f"An input message must have the lists keys, axes and buttons: {error}."
@@ -197,5 +197,5 @@ def read_input(message: str | bytes) -> HumanInput:
 def _list_of(payload: Any, name: str) -> Sequence[Any]:
     found = payload[name] if isinstance(payload, dict) and name in payload else None
     if not isinstance(found, list) or len(found) > _MAX_HELD:
-        raise ValueError(f"no list of at most {_MAX_HELD} {name}")
+        raise ValueError(f"{name} must be a list of at most {_MAX_HELD} items")
     return found

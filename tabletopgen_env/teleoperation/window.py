@@ -37,8 +37,8 @@ class TeleopWindow:
     def __init__(self, height: int, width: int) -> None:
         if not has_display():
             raise BackendError(
-                "Driving in a window needs a display, but DISPLAY is not set. Use --device page "
-                "and a browser."
+                "Teleoperation in a window needs a display, but DISPLAY is not set. Use --device "
+                "page and a browser."
             )
         import glfw
 

@@ -98,7 +98,7 @@ class Drawing:
 
     def __post_init__(self) -> None:
         if not 128 <= self.side <= 2048:
-            raise InputError(f"--side {self.side}: use 128 to 2048 pixels.")
+            raise InputError(f"--side must be from 128 to 2048 pixels, got {self.side}.")
 
 
 def is_post_path(path: str) -> bool:

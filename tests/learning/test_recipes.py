@@ -166,7 +166,7 @@ def test_one_of_your_own_is_a_file(tmp_path: Path) -> None:
         ({"hindsight": 4, "env": {"observation": "goal", "grasp_hint": True},
           "network": {"extractor": "goal"}}, "cannot be combined with grasp_hint"),
         ({"algorithm": "ppo", "demonstrations": 3}, "replay buffer"),
-        ({"algorithm": "clone"}, "needs the table cloning"),
+        ({"algorithm": "clone"}, r"needs a \[cloning\] table"),
         ({"algorithm": "td3", "cloning": {}}, "only SAC"),
         ({"demonstrations": 3, "env": {"action": "joint_delta"}}, "ee_delta"),
         ({"env": {"observation": "goal"}}, "extractor 'table'"),

@@ -234,7 +234,7 @@ def test_what_cannot_be_resumed_or_begun_is_refused(small, folder: Path) -> None
     with pytest.raises(InputError, match="not the folder of a run"):
         train(small(), folder, QUICK, resume=True, say=quiet)
     train(small("ppo", steps=32), folder, TrainingPlan(episodes=1), say=quiet)
-    with pytest.raises(InputError, match="already holds a run"):
+    with pytest.raises(InputError, match="already contains a run"):
         train(small("ppo"), folder, QUICK, say=quiet)
     with pytest.raises(InputError, match="differs in task"):
         train(small("ppo", task="Lift"), folder, QUICK, resume=True, say=quiet)

@@ -75,7 +75,7 @@ def test_what_is_doubted_keeps_its_yaw_at_another_place() -> None:
     laid = lay_out_draft(draft, 0)
     assert by_name(laid.placements)["seen_stapler_1"].yaw == YAW
     assert "seen_stapler_1 is built from the plan: it does not stand." in laid.draft.warnings
-    assert any("instead of the drawing: seen_stapler_1" in w for w in laid.warnings)
+    assert any("instead of as drawn: seen_stapler_1" in w for w in laid.warnings)
     everything = lay_out_draft(draft.doubt({*draft.models}, "so"), 0)
     assert by_name(everything.placements)["seen_stapler_1"].yaw == YAW
     assert any("The planned table is used" in w for w in everything.warnings)

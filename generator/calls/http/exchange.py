@@ -95,7 +95,7 @@ def exchange(
         if isinstance(error, httpx2.UnsupportedProtocol | httpx2.LocalProtocolError):
             return Trouble(f"The request cannot be sent ({error}).", again=False)
         cause = str(error)[:_EXCERPT] or type(error).__name__
-        message = f"The server's response broke off ({cause})."
+        message = f"The server's response ended early ({cause})."
         return Trouble(message, again=True, charged=paid)
     return reply if isinstance(reply, Trouble) else _judge(reply, paid, secrets)
 

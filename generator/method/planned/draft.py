@@ -18,7 +18,7 @@ from ...scene import TABLE, Instance, Model, Placement, Rotation, ScenePlan
 from .matches import fresh_names, match_planned, rename_plan
 
 ALIKE = 1.35, 1.2
-"""Maximum ratio between corresponding sides of an object and of the plan's model, or of another
+"""Maximum ratio between corresponding sides of an object and of the planned model, or of another
 variant of its kind, if the drawing shows catalogue objects. Beyond it, the sizes differ."""
 
 REAL = 2.0, 1.5

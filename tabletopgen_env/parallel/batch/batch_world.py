@@ -135,7 +135,9 @@ class BatchWorld:
         at = self._indices("worlds", worlds, self.num_worlds)
         of = self._indices("scenes", scenes, len(self.bank))
         if len(at) != len(of):
-            raise InputError(f"load needs a scene for each world, got {len(of)} for {len(at)}.")
+            raise InputError(
+                f"load requires one scene per world, got {len(of)} scenes for {len(at)} worlds."
+            )
         simulator, state = self._simulator, self.state
         for field, rows in simulator.fields.items():
             rows[at] = self._rows[field][of]

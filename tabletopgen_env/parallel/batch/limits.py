@@ -49,7 +49,8 @@ class BatchLimits:
         require(self, "contacts", "depths", "rows", minimum=1, integer=True)
         if self.depths > self.contacts:
             raise InputError(
-                f"BatchLimits needs depths <= contacts, got {self.depths} and {self.contacts}."
+                f"BatchLimits.depths must be at most contacts, got {self.depths} and "
+                f"{self.contacts}."
             )
 
     @classmethod

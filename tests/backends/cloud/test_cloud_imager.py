@@ -457,7 +457,7 @@ def seen_at_last(server: Running, make_imager: Make, first: str) -> None:
     ("answer", "told"),
     [
         (check([*GOOD[:2], sight(3)]), "The pen (number 3) was missing."),
-        (check([*GOOD[:2], sight(3, [1, 1, 9, 9], [50, 1, 90, 9])]), "was there 2 times."),
+        (check([*GOOD[:2], sight(3, [1, 1, 9, 9], [50, 1, 90, 9])]), "appeared 2 times."),
         (check(GOOD, ["spoon"]), "There was a spoon, which does not belong in the picture."),
         (check(GOOD, from_above=False), "was not from straight above."),
     ],

@@ -113,7 +113,7 @@ def test_what_lies_outside_the_edges_is_in_the_outer_bins() -> None:
      {"halflife": 0.0}],
 )  # fmt: skip
 def test_wrong_settings_of_a_sampler_are_explained(settings) -> None:
-    with pytest.raises(InputError, match="A curriculum needs"):
+    with pytest.raises(InputError, match="A curriculum must have"):
         DifficultySampler(**settings)
 
 

@@ -76,7 +76,7 @@ def thing_in(picture: RGBA) -> Bool[np.ndarray, "h w"]:
     mask = main_parts(mask, 0.02)
     share = float(mask.mean())
     if not _LEAST <= share <= _MOST:
-        raise Wrong(f"the thing fills {share:.1%} of the picture; draw it as large as it was.")
+        raise Wrong(f"the object fills {share:.1%} of the picture; draw it as large as it was.")
     return mask
 
 

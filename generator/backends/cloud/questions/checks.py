@@ -34,7 +34,7 @@ def faults(chat: Chat, things: Labelled, drawn: UInt8[np.ndarray, "h w 3"]) -> t
             if not sight.boxes and not sight.covered:
                 found.append(f"{called} was missing.")
             elif len(sight.boxes) > 1:
-                found.append(f"{called} was there {len(sight.boxes)} times.")
+                found.append(f"{called} appeared {len(sight.boxes)} times.")
         found += [
             f"There was a {word}, which does not belong in the picture." for word in answer.extra
         ]

@@ -70,7 +70,7 @@ def _layer(name: str, supports: Mapping[str, tuple[str, bool]]) -> int:
     seen = [name]
     while (below := supports[seen[-1]][0]) != TABLE:
         if below in seen:
-            raise Wrong(f"these rest on one another in a circle: {', '.join(seen)}.")
+            raise Wrong(f"these objects rest on one another in a circle: {', '.join(seen)}.")
         seen.append(below)
     return 1 + len(seen)
 
@@ -83,7 +83,7 @@ def layout(
     beyond = [a.id for a in by_name.values() if abs(a.x) > length / 2 or abs(a.y) > width / 2]
     if beyond:
         numbers = ", ".join(map(str, beyond))
-        raise Wrong(f"these lie beyond the edge of the tabletop: {numbers}.")
+        raise Wrong(f"these objects lie beyond the edge of the tabletop: {numbers}.")
     return {
         name: LayoutBox(np.array([a.x, a.y]) / 100, np.array([a.length, a.width, a.height]) / 100)
         for name, a in by_name.items()
