@@ -222,7 +222,7 @@ def test_another_bank_takes_the_place_of_the_first(
 
 @pytest.mark.slow
 def test_wrong_calls_are_refused(batch: BatchWorld) -> None:
-    with pytest.raises(InputError, match=r"ctrl of shape \(3, 8\), got \(2, 8\)"):
+    with pytest.raises(InputError, match=r"ctrl must have shape \(3, 8\), got \(2, 8\)"):
         batch.step(home(2), SUBSTEPS)
     with pytest.raises(InputError, match="substeps"):
         batch.step(home(3), 0)

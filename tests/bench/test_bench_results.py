@@ -165,12 +165,12 @@ def test_results_of_other_suites_are_not_shown(
     with pytest.raises(InputError, match="holds no results"):
         leaderboard.read_results(tmp_path)
     other = result_of(toy, tmp_path / "a.json", "random", {0})
-    with pytest.raises(InputError, match="other episodes"):
+    with pytest.raises(InputError, match="different episodes"):
         leaderboard.page([other])
     own = result_of(lift[0], tmp_path / "b.json", "random", {0})
     with pytest.raises(InputError, match="two results of random"):
         leaderboard.page([own, own])
-    with pytest.raises(InputError, match="other episodes"):
+    with pytest.raises(InputError, match="different episodes"):
         leaderboard.page([dataclasses.replace(own, episodes=own.episodes[1:])])
     with pytest.raises(InputError, match="only accepts test suites"):
         leaderboard.page([dataclasses.replace(own, suite="lift-validation")])

@@ -202,7 +202,7 @@ def test_a_function_whose_module_changed_is_another_policy(
     assert find_player(f"{module}:Told", suite)[0].digest not in (own, digest)
     file.write_text(POLICY + "\n\nSTEP = 2\n")
     monkeypatch.delitem(sys.modules, module)
-    with pytest.raises(InputError, match="different result \\(other player\\)"):
+    with pytest.raises(InputError, match="different result \\(different player\\)"):
         run_suite(suite, name, run)
 
 

@@ -475,7 +475,7 @@ def test_a_wrong_top_view_is_drawn_again(
     ("things", "told"),
     [
         ([*GOOD[:2], sight(3, [100, 100, 300, 301])], "numbers 1 and 3 must not have the same box"),
-        ([*GOOD[:2], sight(3, [9, 9, 1, 1])], "a box of number 3 is no box"),
+        ([*GOOD[:2], sight(3, [9, 9, 1, 1])], "a box of number 3 is invalid"),
         (GOOD[:2], "no answer for number 3"),
     ],
 )

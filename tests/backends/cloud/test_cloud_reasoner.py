@@ -321,7 +321,7 @@ def test_layers_are_counted_from_the_table(server: Running, reasoner: CloudReaso
     ("things", "told"),
     [
         ([rest(1, 2), rest(2, 1), rest(3, 0)], "in a circle"),
-        ([rest(1, 1), rest(2, 0), rest(3, 0)], "at itself"),
+        ([rest(1, 1), rest(2, 0), rest(3, 0)], "against itself"),
         ([rest(1, 8), rest(2, 0), rest(3, 0)], "8, which is not in the list"),
         ([rest(1, 0, leans_at=8), rest(2, 0), rest(3, 0)], "8, which is not in the list"),
         ([rest(1, 0, "in"), rest(2, 0), rest(3, 0)], "'in' the table"),

@@ -102,7 +102,7 @@ MUGS = [thing(n, "mug") for n in (1, 2, 3)]
         (MUGS, [group("row", 1, 1)], "contains an object twice"),
         (MUGS, [group("row", 1, 2), group("heap", 2, 3)], "or one of another group"),
         (MUGS, [group("circle", 1, 2, around=2)], "contains an object twice"),
-        (MUGS, [group("row", 1, 2, around=3)], "only a circle is"),
+        (MUGS, [group("row", 1, 2, around=3)], "only a circle can"),
         (MUGS, [group("row", 1, 2, seat=(1, 2))], "a setting must have a seat"),
         (MUGS, [group("setting", 1, 2)], "a setting must have a seat"),
         (MUGS, [group("setting", 1, 2, seat=(3, 2))], "seats must be numbered"),
