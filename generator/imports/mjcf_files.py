@@ -116,8 +116,8 @@ class _Reader:
         named = element.get("file"), *(element.get(side) for side in SIDES)
         if tag not in _FILES and any(named):
             raise InputError(
-                f"The model refers to a file in <{tag[:40]}>; only meshes and textures may refer to "
-                "files."
+                f"The model refers to a file in <{tag[:40]}>; only meshes and textures may refer "
+                "to files."
             )
 
     def hand_over(self, root: ET.Element) -> None:
