@@ -44,7 +44,7 @@ def check_xml(decoded: Decoded, raw: bytes) -> str:
         return wanted
     if difference := _difference(ET.fromstring(wanted), _parse(raw, 2 * len(wanted))):
         raise BundleError(
-            f"scene.xml does not match scene.json: {difference}. Make the bundle again."
+            f"scene.xml does not match scene.json: {difference}. Create the bundle again."
         )
     return wanted
 

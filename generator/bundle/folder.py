@@ -84,7 +84,7 @@ def save(
     except OSError as error:
         raise StorageError(
             f"The bundle of {scene.name!r} cannot be written to {folder}: "
-            f"{error.strerror or error}. Free space there, or choose another folder."
+            f"{error.strerror or error}. Free disk space, or choose another folder."
         ) from error
 
 
@@ -337,7 +337,10 @@ def read_inside(
     Raises:
         TabletopError: ``error``, if the file is missing, too large, or not inside the folder.
     """
-    path, hint = PurePosixPath(name), " Make or copy the bundle again." if kind == "bundle" else ""
+    path, hint = (
+        PurePosixPath(name),
+        " Create or copy the bundle again." if kind == "bundle" else "",
+    )
     if not name.isprintable():
         raise error(f"{folder}: {name!r} is not a valid file name.")
     if path.is_absolute() or ".." in path.parts or "\\" in name or ":" in name or not path.parts:

@@ -84,7 +84,7 @@ def swap(
     if inside and not made.model.container:
         raise SceneError(
             f"{name} contains {', '.join(inside)}, but {asked.planned.noun} cannot hold objects. "
-            "Move or remove the contents first, or choose a vessel."
+            "Move or remove the contents first, or choose a container."
         )
     yaw = _facing(old, made.model.size, made.yaw)
     new = _body(planned.name, made.model, old, yaw)

@@ -18,7 +18,7 @@ from ..pictures import DecodedPicture, PictureLimits, decode
 from ..scene import Intrinsics, Reference, ScenePlan
 
 Source = str | Path | bytes | ScenePlan | np.ndarray
-"""A text, a plan, or a picture given as a path, encoded bytes or an (h, w, 3 or 4) uint8 array."""
+"""A prompt, a plan, or a picture: a path, encoded bytes or an (h, w, 3 or 4) uint8 array."""
 
 DepthSource = str | Path | bytes | np.ndarray
 """A depth map of the same size as the picture: an array in metres (float) or millimetres (uint16),

@@ -149,7 +149,7 @@ def compile_spec(spec: mujoco.MjSpec, name: str) -> mujoco.MjModel:
 def _unbuildable(name: str, error: ValueError) -> SceneError:
     said = " ".join(str(error).split())
     return SceneError(
-        f"MuJoCo cannot build the scene {name!r}: {said!r}. Make the scene again, or give that "
+        f"MuJoCo cannot build the scene {name!r}: {said!r}. Create the scene again, or give that "
         "body a valid shape and inertia."
     )
 

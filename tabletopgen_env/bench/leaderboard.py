@@ -39,7 +39,7 @@ def read_results(folder: Path) -> list[BenchResult]:
     """
     paths = sorted(folder.glob("*.json"))
     if not paths:
-        raise InputError(f"{folder} holds no results. `tabletopgen bench run` writes them.")
+        raise InputError(f"{folder} contains no results. `tabletopgen bench run` writes them.")
     return [_read_with_mark(path) for path in paths]
 
 

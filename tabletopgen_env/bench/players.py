@@ -175,8 +175,8 @@ class PolicyPlayer:
             own, there = getattr(self.policy, name, None), getattr(env, name)
             if own is not None and own != there:
                 raise InputError(
-                    f"The policy's {name} is {own}, the environment's {there}. Give the policy "
-                    "an attribute env with its training settings, for example env = "
+                    f"The policy's {name} is {own}, but the environment's is {there}. Give the "
+                    "policy an attribute env with its training settings, for example env = "
                     "{'observation': 'pixels', 'image_size': 64}."
                 )
 

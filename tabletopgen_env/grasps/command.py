@@ -61,7 +61,7 @@ def grasps(
     if picture is not None:
         check_target(picture, "--picture")
         if len(found) > 1:
-            raise InputError(f"--picture needs exactly one bundle, got {len(found)}.")
+            raise InputError(f"--picture requires exactly one bundle, got {len(found)}.")
     waiting = [path for path in found if again or not is_labelled(path, terms)]
     if len(waiting) < len(found):
         print(f"{len(found) - len(waiting)} of {len(found)} bundles are already labelled.")

@@ -238,7 +238,7 @@ class TabletopVectorEnv(VectorEnv[Any, Any, Any]):
             values = [values] * self.num_envs
         if len(values) != self.num_envs:
             raise InputError(
-                f"set_attr needs one value for each of the {self.num_envs} slots, got "
+                f"set_attr requires one value for each of the {self.num_envs} slots, got "
                 f"{len(values)}."
             )
         with self._running() as runner:

@@ -44,7 +44,7 @@ class FreshScenes:
             texts = (given,) if isinstance(given, str) else tuple(given)
             if not texts or not all(isinstance(t, str) and t.strip() for t in texts):
                 raise InputError(
-                    "FreshScenes needs one or more non-empty prompts, or a SceneDistribution, "
+                    "FreshScenes requires one or more non-empty prompts, or a SceneDistribution, "
                     f"got {given!r}. Use, for example, FreshScenes('an office desk')."
                 )
             object.__setattr__(self, "prompts", texts)

@@ -85,7 +85,7 @@ class RefreshingScenes:
             require_seed(self.seed)
         if (self.per_minute is None) == (self.every_resets is None):
             raise InputError(
-                "RefreshingScenes needs exactly one of per_minute and every_resets, got "
+                "RefreshingScenes requires exactly one of per_minute and every_resets, got "
                 f"{self.per_minute} and {self.every_resets}"
                 + (" with synchronous=True." if self.synchronous else ".")
             )

@@ -33,7 +33,7 @@ By = Literal["digest", "category"]
 """The property that determines the side of a scene."""
 
 SHARE = 0.2
-"""Default share of scenes held out by digest."""
+"""Default fraction of scenes held out by digest."""
 
 DRAWS = 200
 """Maximum number of draws from a user's own source to find one scene on the required side."""

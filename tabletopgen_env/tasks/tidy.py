@@ -26,7 +26,7 @@ SCENES = "tidy-task-*"
 """Bundles (a glob) with a tray and small objects."""
 
 FULL = 0.45
-"""Maximum share of a container's floor that the objects may cover together."""
+"""Maximum fraction of a container's floor that the objects may cover together."""
 
 
 class Tidy(Task):

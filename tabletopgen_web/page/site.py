@@ -80,7 +80,7 @@ def write_site(
             put_in_place(staging, out, lambda: False)
     except OSError as error:
         raise StorageError(
-            f"The page cannot be written to {out}: {error.strerror or error}. Free space there, or "
+            f"The page cannot be written to {out}: {error.strerror or error}. Free disk space, or "
             "choose another folder."
         ) from error
     return Site(out, tuple(rows), size)

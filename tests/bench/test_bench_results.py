@@ -162,7 +162,7 @@ def test_the_page_has_a_row_for_each_policy(
 def test_results_of_other_suites_are_not_shown(
     toy: Suite, lift: tuple[Suite, Suite], tmp_path: Path
 ) -> None:
-    with pytest.raises(InputError, match="holds no results"):
+    with pytest.raises(InputError, match="contains no results"):
         leaderboard.read_results(tmp_path)
     other = result_of(toy, tmp_path / "a.json", "random", {0})
     with pytest.raises(InputError, match="different episodes"):

@@ -169,10 +169,12 @@ def test_wrong_calls_are_explained() -> None:
     envs = TabletopVectorEnv(2, scenes=toy_scene(), max_episode_steps=1, autoreset_mode="Disabled")
     with pytest.raises(InputError, match=r"Call reset\(\)"):
         envs.step(np.zeros((2, 5)))
-    with pytest.raises(InputError, match="2 slots need a single seed or a list of 2 seeds, got 3"):
+    with pytest.raises(
+        InputError, match="2 slots require a single seed or a list of 2 seeds, got 3"
+    ):
         envs.reset(seed=[1, 2, 3])
     with pytest.raises(
-        InputError, match=r"2 slots need a single seed or a list of 2 seeds, got 1\.5"
+        InputError, match=r"2 slots require a single seed or a list of 2 seeds, got 1\.5"
     ):
         envs.reset(seed=1.5)  # type: ignore[arg-type]
     with pytest.raises(InputError, match="options must be a dict"):
@@ -184,10 +186,10 @@ def test_wrong_calls_are_explained() -> None:
         envs.reset(options={"colour": 1})
     assert "slot 0" in caught.value.__notes__[0]
     envs.reset(seed=0)
-    with pytest.raises(InputError, match="need one action each, got 1"):
+    with pytest.raises(InputError, match="require one action each, got 1"):
         envs.step(np.zeros((1, 5)))
     for actions in (3, None, np.array(0.0)):
-        with pytest.raises(InputError, match="2 slots need one action each, got"):
+        with pytest.raises(InputError, match="2 slots require one action each, got"):
             envs.step(actions)
     with pytest.raises(InputError, match="must be finite") as caught:
         envs.step(np.array([[0.0] * 5, [np.nan] * 5]))

@@ -135,7 +135,7 @@ class LocalKeeper:
 
 
 LOCAL = LocalKeeper()
-"""The default keeper."""
+"""The keeper that is used by default, for processes on this machine."""
 
 
 def is_alive(folder: Path, name: str) -> bool:

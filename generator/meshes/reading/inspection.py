@@ -137,8 +137,8 @@ def check_pictures(
         sizes[hashlib.sha256(raw).digest()] = header.width * header.height
         if sum(sizes.values()) > maximum:
             return (
-                f"has textures with more than {maximum} pixels in total. Make them smaller or "
-                "fewer."
+                f"has textures with more than {maximum} pixels in total. Use smaller or fewer "
+                "textures."
             )
     return None
 

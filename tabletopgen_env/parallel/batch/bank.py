@@ -190,7 +190,7 @@ def _stack(rows: list[Row]) -> Row:
 
 def _nothing_left(left_out: tuple[LeftOut, ...]) -> str:
     if not left_out:
-        return "A SceneBank needs at least one world, got none."
+        return "A SceneBank must have at least one world, got none."
     some = "; ".join(f"{scene.name!r}: {scene.reason}" for scene in left_out[:3])
     more = f"; and {len(left_out) - 3} more" if len(left_out) > 3 else ""
     return (

@@ -55,7 +55,7 @@ class AnswerBook:
         if shared and _size(folder, path) + len(content) > _MAX_SHARED_BYTES:
             raise RefusedError(507, "The study has too many answers; no more are accepted.")
         make_private(folder)
-        write_whole(path, content, "The answer", "Free space there.")
+        write_whole(path, content, "The answer", "Free disk space.")
         return len(kept)
 
     def read(self, study: str) -> dict[str, list[Any]]:

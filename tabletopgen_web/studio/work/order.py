@@ -94,5 +94,5 @@ class Telling:
             content = picture if isinstance(picture, bytes) else encode_png(picture)
             self._figures.mkdir(parents=True, exist_ok=True)
             path = self._figures / f"{stem}.png"
-            write_whole(path, content, "A figure", "Free space there.")
+            write_whole(path, content, "A figure", "Free disk space.")
             self.say(type="figure", name=path.name, stage=stage)

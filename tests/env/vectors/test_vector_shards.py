@@ -110,7 +110,7 @@ def test_attributes_are_called_got_and_set(shards: Any) -> None:
     shards.set_attr("reward", "dense")
     assert [len(rng.random(2)) for rng in shards.np_random] == [2, 2, 2]
     assert shards.visit(lambda env: env.unwrapped.world.data.time) == pytest.approx([0.05] * 3)
-    with pytest.raises(InputError, match="needs one value for each of the"):
+    with pytest.raises(InputError, match="requires one value for each of the"):
         shards.set_attr("reward", ["dense"])
     with pytest.raises(InputError, match="in other processes; use call"):
         _ = shards.envs
