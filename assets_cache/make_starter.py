@@ -125,7 +125,7 @@ def keep_certificates(old: Path, new: Path) -> int:
             kept += 1
         except BundleError as error:
             (path / FILE).unlink()
-            print(f"certificate not kept: {error}")
+            print(f"the certificate was not kept: {error}")
     return kept
 
 

@@ -66,7 +66,7 @@ def find(wanted: str | Path, cache: str | Path | None = None) -> list[Path]:
     else:
         found = _bundles_of(text, cache) or _in_folder(text)
     if not found:
-        places = ", ".join(str(p) for p in roots(cache)) or "nowhere: no folder exists"
+        places = ", ".join(str(p) for p in roots(cache)) or "any folder"
         names = {_stem(path) for path in entries(cache)}
         raise MissingError(f"No bundle matches {text!r} in {places}." + choices(text, names))
     return sorted(found, key=lambda p: p.name)
@@ -90,14 +90,14 @@ def remove(wanted: str | Path, cache: str | Path | None = None) -> Path:
     text = str(wanted)
     found = find(wanted, cache)
     if text != STARTER and not _bundles_of(text, cache):
-        raise BundleError(f"{text!r} is a folder of bundles. Name one bundle.")
+        raise BundleError(f"{text!r} is a folder of bundles. Specify one bundle.")
     if len(found) > 1:
         names = ", ".join(p.name for p in found[:8])
-        raise BundleError(f"{wanted!r} matches {len(found)} bundles: {names}. Name one.")
+        raise BundleError(f"{wanted!r} matches {len(found)} bundles: {names}. Specify one of them.")
     path, root = found[0], user_root(cache)
     check_removable(path, root)
     if not _discard(path):
-        raise MissingError(f"There is no bundle at {path} anymore: another process removed it.")
+        raise MissingError(f"There is no bundle at {path}: another process removed it.")
     return path
 
 
@@ -142,7 +142,7 @@ def clear(cache: str | Path | None = None) -> int:
                      - {p.name for p in found})  # fmt: skip
     if foreign or _ships(root):
         raise StorageError(
-            f"{root} contains more than bundles: {foreign[:5] or 'the starters'}. "
+            f"{root} does not contain only bundles: {foreign[:5] or 'the starters'}. "
             "Nothing was removed. Remove bundles individually, or choose another folder."
         )
     sweep(root)

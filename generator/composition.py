@@ -55,7 +55,7 @@ def compose(
     else:
         plan = plan_scene(text, seed, density)
     if not plan.objects:
-        raise InputError("The plan holds no object; a scene needs at least one.")
+        raise InputError("The plan contains no objects; a scene must have at least one.")
     models = build_models(plan, seed)
 
     def lay_out_again(layout_seed: int) -> Candidate:
@@ -69,8 +69,8 @@ def compose(
         return warn_unmet(attempts.best)
     report = attempts.failed[-1].report
     raise SceneError(
-        f"{ATTEMPTS} layouts of {plan.prompt!r} did not come to rest soundly: "
-        f"{report.failure_text if report else ''}. Try another seed, or fewer stacked things."
+        f"{ATTEMPTS} layouts of {plan.prompt!r} failed the physical gate: "
+        f"{report.failure_text if report else ''}. Try another seed, or fewer stacked objects."
     )
 
 

@@ -110,13 +110,13 @@ def require(
     """
     for name in names:
         require_number(
-            f"{type(settings).__name__} needs {name}", getattr(settings, name),
+            f"{type(settings).__name__}.{name}", getattr(settings, name),
             minimum=minimum, above=above, maximum=maximum, integer=integer, allow_inf=allow_inf,
         )  # fmt: skip
 
 
 def require_number(
-    needs: str,
+    what: str,
     value: object,
     *,
     minimum: float | None = None,
@@ -127,7 +127,7 @@ def require_number(
 ) -> None:
     """Check one number as ``require`` does.
 
-    ``needs`` is the start of the message, such as "certify needs episodes".
+    ``what`` names the value at the start of the message, such as "--workers".
 
     Raises:
         InputError: the value is not a number or is out of range.
@@ -144,7 +144,7 @@ def require_number(
     good = good and size > above if above is not None else good
     if not (good and size <= (math.inf if maximum is None else maximum)):
         raise InputError(
-            f"{needs} to be a {'whole ' if integer else ''}number{low}{high}, got {value!r}."
+            f"{what} must be a {'whole ' if integer else ''}number{low}{high}, got {value!r}."
         )
 
 
@@ -157,7 +157,7 @@ def require_seed(seed: object, maximum: int = MAX_SEED) -> None:
     """
     whole = isinstance(seed, numbers.Integral) and not isinstance(seed, bool)
     if not (whole and 0 <= seed <= maximum):  # type: ignore[operator]
-        raise InputError(f"A seed has to be a whole number from 0 to {maximum}, got {seed!r:.40}.")
+        raise InputError(f"A seed must be a whole number from 0 to {maximum}, got {seed!r:.40}.")
 
 
 def _as_float(value: object) -> float:

@@ -109,7 +109,9 @@ class Camera:
     def __post_init__(self) -> None:
         freeze(self, position=VECTOR, rotation=(np.float64, (3, 3)))
         if self.width < 1 or self.height < 1 or not 0 < self.fov < np.pi:
-            raise InputError(f"Camera needs a size of at least 1 and fov in (0, pi): {self}.")
+            raise InputError(
+                f"Camera must have a size of at least 1 and fov in (0, pi), got {self}."
+            )
 
     @property
     def focal(self) -> float:

@@ -208,7 +208,7 @@ def _warn_hidden(reference: Reference, instances: tuple[Instance, ...]) -> tuple
     found = len(instances) - 1
     if found >= planned:
         return ()
-    return (f"Found {found} of the {planned} things asked for in the picture drawn of them.",)
+    return (f"Only {found} of the {planned} requested objects were found in the drawing.",)
 
 
 def _provenance(

@@ -40,7 +40,10 @@ def declarations() -> dict[str, tuple[str, Category]]:
             if key in found:
                 raise ValueError(f"{key} is declared in {found[key][0]} and {module}.")
             if category.themes[:1] != (path.parent.name,):
-                raise ValueError(f"{key} in {module} has the first theme {category.themes[:1]}.")
+                raise ValueError(
+                    f"{key} in {module} must have {path.parent.name!r} as its first theme, got "
+                    f"{category.themes[:1]}."
+                )
             found[key] = module, category
     return found
 

@@ -354,7 +354,7 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
                     raise  # else a pool dropped the scene between its draw and its loading
                 tried.add(str(error))
         drawn = "the one scene drawn" if len(seen) == 1 else f"{len(seen)} drawn scenes"
-        raise SceneError(f"No valid task in {drawn}. " + " ".join(sorted(tried)[:3]))
+        raise SceneError(f"There is no valid task in {drawn}. " + " ".join(sorted(tried)[:3]))
 
     def _forget(self, world: World) -> None:
         for held in self._drawers.values():

@@ -43,7 +43,7 @@ def build() -> None:
     """
     if not (SOURCE / "package-lock.json").is_file():
         raise BackendError(
-            f"The web pages are missing from {STATIC}, and only a source checkout can build them. "
+            f"The web pages are missing from {STATIC} and can only be built in a source checkout. "
             f"Reinstall tabletopgen."
         )
     npm = shutil.which("npm")

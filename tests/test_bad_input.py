@@ -124,9 +124,9 @@ def test_pictures_without_a_laid_table_are_refused(image: np.ndarray, says: str)
 
 @pytest.mark.parametrize("source", [None, 5, 1.5, ["a desk"], object()])
 def test_what_is_neither_text_nor_picture_is_refused(source: Any) -> None:
-    with pytest.raises(InputError, match=r"Expected a text.*, got"):
+    with pytest.raises(InputError, match=r"Expected a prompt.*, got"):
         generate(source)
-    with pytest.raises(InputError, match=r"Expected a text.*, got"):
+    with pytest.raises(InputError, match=r"Expected a prompt.*, got"):
         compose(source)
 
 
@@ -170,7 +170,7 @@ def test_impossible_plans_are_refused_as_they_are_made(plan: Callable[[], Any]) 
 
 def test_an_empty_plan_is_refused() -> None:
     for make in (compose, generate):
-        with pytest.raises(InputError, match="holds no object"):
+        with pytest.raises(InputError, match="contains no objects"):
             make(ScenePlan("p", PlannedTable(), ()))
 
 

@@ -301,7 +301,7 @@ def test_a_truncated_and_a_grown_file(path: Path) -> None:
     (path / "preview.png").write_bytes(content[:-7])
     refused(path, "changed")
     (path / "preview.png").write_bytes(content + b"\0" * 100)
-    refused(path, r"preview\.png is \d+ bytes, not")
+    refused(path, r"preview\.png has \d+ bytes, not")
 
 
 @pytest.mark.parametrize(

@@ -26,7 +26,7 @@ from tabletopgen_env.env import make_env
 from tabletopgen_env.recording import RecordConfig
 from tabletopgen_env.scenes import RefreshingScenes
 
-SEED = "A seed has to be a whole number from 0 to "
+SEED = "A seed must be a whole number from 0 to "
 
 
 # -------------------------------------------------------------------------------------------- seeds
@@ -149,7 +149,7 @@ def test_pictures_and_depth_maps_are_regular_files(tmp_path: Path) -> None:
     ids=repr,
 )  # fmt: skip
 def test_intrinsics_are_numbers(values: tuple[object, ...]) -> None:
-    with pytest.raises(InputError, match="Intrinsics need"):
+    with pytest.raises(InputError, match=r"Intrinsics\."):
         Intrinsics(*values)  # type: ignore[arg-type]
 
 

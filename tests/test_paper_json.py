@@ -69,7 +69,7 @@ def test_malformed_json_is_refused(broken: dict) -> None:
 
 @pytest.mark.parametrize("degrees", ["x", None, True, float("nan"), 10**400, [1]])
 def test_rotations_are_numbers(degrees: object) -> None:
-    with pytest.raises(InputError, match="needs a rotation"):
+    with pytest.raises(InputError, match="The rotation of"):
         from_paper({**FIG_12, "box_9": degrees}, FIG_14)  # type: ignore[dict-item]
     with pytest.raises(InputError, match="Rotations are"):
         from_paper([degrees], FIG_14)  # type: ignore[arg-type]

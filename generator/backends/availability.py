@@ -55,12 +55,12 @@ _CHARGING = frozenset({"cloud", "tencent"})
 
 def _packages(*names: str) -> str:
     absent = [name for name in names if importlib.util.find_spec(name) is None]
-    return f"{', '.join(absent)} not installed" if absent else ""
+    return f"not installed: {', '.join(absent)}" if absent else ""
 
 
 def _variables(*names: str) -> str:
     absent = [name for name in names if not os.environ.get(name, "").strip()]
-    return f"{' and '.join(absent)} not set" if absent else ""
+    return f"not set: {', '.join(absent)}" if absent else ""
 
 
 def _minisam() -> str:

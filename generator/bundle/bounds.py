@@ -132,5 +132,7 @@ def _of(entry: object, key: str, kind: type, who: str) -> Any:
     """Return a field whose value is a list or an object."""
     value = cast("dict[str, Any]", entry).get(key) if isinstance(entry, dict) else None
     if type(value) is not kind:
-        raise BundleError(f"{who} needs {key!r} as a JSON {'list' if kind is list else 'object'}.")
+        raise BundleError(
+            f"{key!r} of {who} must be a JSON {'list' if kind is list else 'object'}."
+        )
     return value

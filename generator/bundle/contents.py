@@ -60,7 +60,7 @@ def decode_indices(raw: bytes, name: str) -> UInt8[np.ndarray, "h w"]:
     """
     picture = _decode(raw, name, "stored")
     if picture.mode != "P":
-        raise BundleError(f"{name} is not an indexed picture.")
+        raise BundleError(f"{name} is not a PNG with a palette.")
     return picture.pixels
 
 
@@ -68,7 +68,7 @@ def _decode(raw: bytes, name: str, form: Form) -> DecodedPicture:
     size = picture_size(raw, name)
     picture = pictures.decode_png(raw, name, BundleError, _LIMITS, form)
     if (picture.width, picture.height) != size:
-        raise BundleError(f"{name} has two headers of different sizes.")
+        raise BundleError(f"{name} has headers with two different picture sizes.")
     return picture
 
 
@@ -89,7 +89,7 @@ def decode_obj(
     """
     found = _OBJ.fullmatch(raw)
     if found is None:
-        raise BundleError(f"{name} is not in the mesh format of bundles.")
+        raise BundleError(f"{name} is not in the OBJ format that bundles use.")
     start, end = raw.index(b"\nvt "), raw.index(b"\nf ")
     vertices = _numbers(raw[:start], b"v").reshape(-1, 3)
     uv = _numbers(raw[start:end], b"vt").reshape(-1, 2)
@@ -99,7 +99,7 @@ def decode_obj(
     if len(vertices) < 4 or len(uv) != len(vertices) or not inside:
         raise BundleError(f"{name} is not a mesh: its triangles and vertices do not match.")
     if areas(vertices, faces).sum() < _LEAST_AREA:
-        raise BundleError(f"{name} has no surface: its triangles are points and lines.")
+        raise BundleError(f"{name} has no surface: its triangles have almost no area.")
     return vertices, faces, uv
 
 

@@ -43,7 +43,7 @@ def loads(raw: bytes, where: str) -> dict[str, Any]:
     if (b"\\" in raw and _ESCAPE.search(raw)) or (
         (b"\x7f" in raw or not raw.isascii()) and HIDDEN.search(raw.decode())
     ):
-        raise BundleError(f"{what} has texts with unprintable characters.")
+        raise BundleError(f"{what} contains strings with unprintable characters.")
     return payload
 
 
@@ -77,7 +77,7 @@ def decode_scene(payload: Mapping[str, Any], file: Callable[[str], bytes]) -> De
     _check_models(models, bodies)
     for thing in objects:
         if thing["placement"].name != thing["name"]:
-            raise BundleError(f"The placement of {thing['name'][:80]!r} names another object.")
+            raise BundleError(f"The placement of {thing['name'][:80]!r} is another object's.")
     looks = {
         key: (model["mesh"], model.pop("texture"), model.pop("opacity"))
         for key, model in models.items()

@@ -44,7 +44,7 @@ def check_xml(decoded: Decoded, raw: bytes) -> str:
         return wanted
     if difference := _difference(ET.fromstring(wanted), _parse(raw, 2 * len(wanted))):
         raise BundleError(
-            f"scene.xml does not match scene.json: {difference}. Make the bundle again."
+            f"scene.xml does not match scene.json: {difference}. Create the bundle again."
         )
     return wanted
 
@@ -85,9 +85,9 @@ def check_starts(model: mujoco.MjModel, name: str) -> None:
         raise unsimulatable(name, str(error), _AT_START) from error
     said = [*list_warnings(data)]
     if data.ncon > _MAX_CONTACTS:
-        said.append(f"{data.ncon} contacts; at most {_MAX_CONTACTS} are allowed")
+        said.append(f"it has {data.ncon} contacts; at most {_MAX_CONTACTS} are allowed")
     if not np.isfinite(data.qacc).all():
-        said.append("forces that are not finite")
+        said.append("some of its forces are not finite")
     if said:
         raise unsimulatable(name, said[0], _AT_START)
 
@@ -95,9 +95,14 @@ def check_starts(model: mujoco.MjModel, name: str) -> None:
 def _parse(raw: bytes, maximum: int) -> ET.Element:
     """Parse at most ``maximum`` bytes of elements without declarations, entities or comments."""
     if len(raw) > maximum:
-        raise BundleError(f"scene.xml does not match scene.json: it has {len(raw)} bytes.")
+        raise BundleError(
+            f"scene.xml does not match scene.json: it has {len(raw)} bytes; at most {maximum} are "
+            "expected."
+        )
     if b"<!" in raw or b"<?" in raw:
-        raise BundleError("scene.xml does not match scene.json: it has more than elements.")
+        raise BundleError(
+            "scene.xml does not match scene.json: it contains a declaration or a comment."
+        )
     try:
         return ET.fromstring(raw.decode())
     except (ET.ParseError, ValueError) as error:
@@ -109,14 +114,14 @@ def _difference(wanted: ET.Element, found: ET.Element) -> str:
     name = wanted.get("name", "")[:80]
     where = f"<{wanted.tag}{f' name={name!r}' if name else ''}>"
     if wanted.tag != found.tag:
-        return f"{found.tag[:80]!r} is where {where} should be"
+        return f"it has {found.tag[:80]!r} in place of {where}"
     if wanted.attrib.keys() != found.attrib.keys():
-        return f"{where} has other attributes"
+        return f"{where} has different attributes"
     for key, value in wanted.attrib.items():
         if not (value == found.attrib[key] or _close(key, value, found.attrib[key])):
             return f"{where} has {key}={found.attrib[key][:80]!r}, not {value[:80]!r}"
     if (found.text or "").strip() or (found.tail or "").strip():
-        return f"{where} holds text"
+        return f"{where} contains text"
     if len(wanted) != len(found):
         return f"{where} has {len(found)} elements, not {len(wanted)}"
     differences = (_difference(one, other) for one, other in zip(wanted, found, strict=True))

@@ -84,7 +84,7 @@ def save(
     except OSError as error:
         raise StorageError(
             f"The bundle of {scene.name!r} cannot be written to {folder}: "
-            f"{error.strerror or error}. Free space there, or choose another folder."
+            f"{error.strerror or error}. Free disk space, or choose another folder."
         ) from error
 
 
@@ -199,7 +199,9 @@ def _check_publishable(scene: Scene, allow_failed: bool) -> None:
     if allow_failed:
         return
     if scene.report is None:
-        raise SceneError(f"Scene {scene.name!r} has no report; see generator.physics.gate.judge.")
+        raise SceneError(
+            f"Scene {scene.name!r} has no report. Create one with generator.physics.gate.judge."
+        )
     if not scene.report.passed:
         raise SceneError(
             f"Scene {scene.name!r} failed its physical gate: {scene.report.failure_text}. Pass "
@@ -335,7 +337,10 @@ def read_inside(
     Raises:
         TabletopError: ``error``, if the file is missing, too large, or not inside the folder.
     """
-    path, hint = PurePosixPath(name), " Make or copy the bundle again." if kind == "bundle" else ""
+    path, hint = (
+        PurePosixPath(name),
+        " Create or copy the bundle again." if kind == "bundle" else "",
+    )
     if not name.isprintable():
         raise error(f"{folder}: {name!r} is not a valid file name.")
     if path.is_absolute() or ".." in path.parts or "\\" in name or ":" in name or not path.parts:
@@ -347,7 +352,7 @@ def read_inside(
                 raise error(f"{folder}: {name} is not a regular file.")
             if status.st_size > limit:
                 wanted = f"not {limit}" if kind == "bundle" else f"at most {limit} are allowed"
-                raise error(f"{folder}: {name} is {status.st_size} bytes, {wanted}.")
+                raise error(f"{folder}: {name} has {status.st_size} bytes, {wanted}.")
             with open(descriptor, "rb", closefd=False) as file:
                 return file.read(limit + 1)
     except FileNotFoundError as failure:

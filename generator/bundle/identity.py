@@ -36,7 +36,7 @@ def load_digest(path: str | Path) -> str:
     try:
         return _digest(read_truth(Path(path)))
     except KeyError as error:
-        raise BundleError(f"{path}: scene.json has no {error}. Make the bundle again.") from error
+        raise BundleError(f"{path}: scene.json has no {error}. Create the bundle again.") from error
 
 
 @steady
@@ -63,7 +63,7 @@ def load_kinds(path: str | Path) -> list[tuple[str, str]]:
     except (TypeError, LookupError) as error:
         raise BundleError(
             f"{path}: scene.json does not list its objects ({type(error).__name__}: {error}). "
-            "Make the bundle again."
+            "Create the bundle again."
         ) from error
 
 
@@ -78,7 +78,7 @@ def load_report(path: str | Path) -> dict[str, Any]:
     try:
         return {**payload["report"], "objects": len(payload["objects"])}
     except (TypeError, LookupError) as error:
-        raise BundleError(f"{path}: scene.json has no report. Make the bundle again.") from error
+        raise BundleError(f"{path}: scene.json has no report. Create the bundle again.") from error
 
 
 def _digest(payload: Mapping[str, Any]) -> str:

@@ -40,10 +40,12 @@ class Segments:
     def __post_init__(self) -> None:
         freeze(self, index=(np.uint8, (None, None)))
         if len(self.names) != len(self.labels) or len(set(self.names)) < len(self.names):
-            raise InputError(f"Segments need one label per name and unique names: {self.names}.")
+            raise InputError(
+                f"Segments must have one label per name, and unique names, got {self.names}."
+            )
         if self.index.size and (top := self.index.max()) > len(self.names):
             raise InputError(
-                f"Segments.index goes up to {top}, but there are {len(self.names)} names."
+                f"Segments.index contains {top}, but there are only {len(self.names)} names."
             )
 
     @classmethod

@@ -157,7 +157,7 @@ class PaidCall:
         attempts = f"{k} attempts" if k > 1 else "1 attempt"
         raise BackendError(
             f"{self.asked}: the call failed after {attempts}. {reason} Received answers are kept; "
-            "check that the server runs, and try again."
+            "check that the server is running, and try again."
         )
 
 

@@ -60,7 +60,7 @@ class CallStore:
         Raises:
             InputError: ``most_bytes`` is not a positive whole number.
         """
-        require_number("CallStore needs most_bytes", most_bytes, minimum=1, integer=True)
+        require_number("CallStore.most_bytes", most_bytes, minimum=1, integer=True)
         self.folder = Path(folder)
         self.most_bytes = most_bytes
         self._most_answer = min(most_bytes, MOST_ANSWER_BYTES)

@@ -67,7 +67,9 @@ def _stub(summary: str) -> Callable[[], int]:
     """Return a placeholder for a command in a list of commands; it is never run."""
 
     def entry() -> int:
-        raise InputError("The first word must be a command; `tabletopgen --help` lists them.")
+        raise InputError(
+            "The first argument must be a command; `tabletopgen --help` lists the commands."
+        )
 
     entry.__doc__ = summary
     return entry

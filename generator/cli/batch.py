@@ -77,7 +77,7 @@ def batch(
             "--route compose uses no backends; remove --backend, the roles, --budget and --dry-run."
         )
     if calls.budget is not None:
-        require_number("batch needs --budget", calls.budget, minimum=0)
+        require_number("--budget", calls.budget, minimum=0)
     if calls.dry_run and isinstance(make, batches.Generating) and asks is not None:
         tried = partial(batches.try_out, jobs, out, make, workers=pool.workers, retry=retry)
         return _try(make, asks, tried, json)

@@ -133,7 +133,7 @@ def _print(found: list[tuple[str, Evaluation]], summary: Rates) -> None:
         for line in _lines(evaluation.facts()):
             console.print(escape(f"  {line}"), soft_wrap=True)
         if evaluation.flawless:
-            console.print("  no defect found")
+            console.print("  no defects found")
             continue
         table = Table("object", "defect", "what", "measured", "limit", "by")
         for f in evaluation.findings:

@@ -228,6 +228,6 @@ def _intrinsics(text: str) -> Intrinsics:
         fx, fy, cx, cy = (float(part) for part in text.split(","))
     except ValueError as error:
         raise InputError(
-            f"--intrinsics needs four numbers, fx,fy,cx,cy in pixels, got {text!r}."
+            f"--intrinsics must be four numbers, fx,fy,cx,cy in pixels, got {text!r}."
         ) from error
     return Intrinsics(fx, fy, cx, cy)

@@ -94,7 +94,7 @@ def verify(
             may give different episodes.
         seed: Seed for drawing the episodes; random by default.
     """
-    require_number("verify needs --replay", replay, minimum=0, maximum=10_000, integer=True)
+    require_number("--replay", replay, minimum=0, maximum=10_000, integer=True)
     if seed is not None:
         require_seed(seed)
     paths = [p for wanted in some(bundles) for p in find(wanted)]

@@ -176,5 +176,5 @@ def one(wanted: str) -> Path:
     found = find(wanted)
     if len(found) > 1:
         names = ", ".join(p.name for p in found[:8])
-        raise InputError(f"{wanted!r} matches {len(found)} bundles: {names}. Specify one.")
+        raise InputError(f"{wanted!r} matches {len(found)} bundles: {names}. Specify one of them.")
     return found[0]

@@ -43,7 +43,9 @@ def picture_camera(scene: Scene, segments: Segments) -> Camera:
         if (mask := segments.mask(name)).any()
     ]
     if not shown:
-        raise InputError("No instance of the picture is part of the scene; nothing to compare.")
+        raise InputError(
+            "The scene contains none of the picture's instances, so they cannot be compared."
+        )
     points = np.concatenate([vertices for vertices, _ in shown])
     start = framing_camera(points, scene.view, width, height)
     depth = float(start.to_camera(points.mean(0)[None])[0, 2])

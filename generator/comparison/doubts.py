@@ -52,7 +52,7 @@ def match_picture(
         return PictureMatch(None, (f"The scene cannot be compared with the picture: {error}",))
     shown = np.asarray(seen.rendered.ids)
     if not (shown >= 0).any():
-        blank = "The simulated view is blank: no part of the scene is where the picture has it."
+        blank = "The simulated view is blank: no part of the scene is where the picture shows it."
         return PictureMatch(0.0, (blank,))
     things = [score for score in seen.scores if score.name != TABLE and score.found]
     doubts = (*_doubt_table(seen), *_doubt_things(seen, things))
@@ -93,7 +93,7 @@ def _doubt_things(seen: Comparison, things: list[Score]) -> tuple[str, ...]:
             f"average (the minimum is {100 * _THINGS:.0f} %)."
         )
     if gone and _MANY * len(gone) >= len(things):
-        doubts.append(f"Objects that are not where the picture has them: {', '.join(gone)}.")
+        doubts.append(f"These objects are not where the picture shows them: {', '.join(gone)}.")
     return tuple(doubts)
 
 

@@ -72,8 +72,8 @@ def swap(
     asked = understand(scene, text, _planner(backends), seed)
     if asked.planned.relations:
         raise InputError(
-            f"{text!r} has a position, but a swapped object takes the position of {name}. "
-            "Name the object only, and move it afterwards."
+            f"{text!r} contains a position, but the new object takes the position of {name}. "
+            "Describe the object only, and move it afterwards."
         )
     support = old.placement.on
     kind = "in" if old.placement.inside else "on"
@@ -84,7 +84,7 @@ def swap(
     if inside and not made.model.container:
         raise SceneError(
             f"{name} contains {', '.join(inside)}, but {asked.planned.noun} cannot hold objects. "
-            "Move or remove the contents first, or choose a vessel."
+            "Move or remove the contents first, or choose a container."
         )
     yaw = _facing(old, made.model.size, made.yaw)
     new = _body(planned.name, made.model, old, yaw)
@@ -309,17 +309,22 @@ def _check_move(where: object, turn: float) -> None:
     place = () if where is None or isinstance(where, str) else np.asarray(where, float)
     if len(place) not in (0, 2) or not np.isfinite([*place, turn]).all():
         raise InputError(
-            f"A position must be finite x and y in metres, or a text; got {where!r}, {turn!r}."
+            "A position must be two finite numbers x and y in metres, or a description in words, "
+            f"and a turn must be finite; got {where!r} and {turn!r}."
         )
     if where is None and turn == 0:
-        raise InputError("Give a position as a text or in metres, or an angle to turn by.")
+        raise InputError(
+            "Specify a position, as a description or in metres, or an angle to turn by."
+        )
 
 
 def _aside(wanted: Scene, done: Scene, name: str) -> tuple[str, ...]:
     """Return a warning if an object is not where it was requested."""
     places = [s.object(name).pose.position[:2] for s in (wanted, done)]
     aside = float(np.linalg.norm(places[1] - places[0]))
-    message = f"{name} was placed {100 * aside:.0f} cm away, where there is room for it."
+    message = (
+        f"{name} was placed {100 * aside:.0f} cm away, at the nearest position with room for it."
+    )
     return (message,) if aside >= ASIDE else ()
 
 

@@ -71,7 +71,7 @@ def check_known(planned: PlannedObject) -> None:
         near = choices(planned.noun, nouns).split(" Available:")[0]
         raise InputError(
             f"The catalogue has no {planned.noun!r}.{near} It has {len(nouns)} kinds of objects; "
-            "use backends that draw and model to make others."
+            "to make others, use backends for the imager and the modeler."
         )
 
 

@@ -80,13 +80,13 @@ def _check_place(scene: Scene, name: str) -> None:
     if not off and not overlapping(scene, name):
         return
     x, y = thing.pose.position[:2]
-    tail, free = "Remove or move something first.", None
+    tail, free = "Remove or move another object first.", None
     if (there := nearest_free(scene, name, thing.pose)) is not None:
         free = round(float(there.position[0]), 3), round(float(there.position[1]), 3)
-        tail = f"The nearest free position is {free[0]:.3f} {free[1]:.3f}."
-    why = "that is off the table" if off else "another object is in the way"
+        tail = f"The nearest free position is ({free[0]:.3f}, {free[1]:.3f}) m."
+    why = "the position is off the table" if off else "another object is in the way"
     raise PlaceError(
-        f"{name} cannot stand at {x:.3f} {y:.3f} m: {why}. {tail}",
+        f"{name} cannot stand at ({x:.3f}, {y:.3f}) m: {why}. {tail}",
         "off the table" if off else "occupied",
         free,
     )
@@ -118,7 +118,7 @@ def set_down(scene: Scene, names: Sequence[str]) -> Scene:
             width, depth = (100 * float(v) for v in thing.scale[:2])
             raise SceneError(
                 f"There is no room on the table for {name} ({width:.0f} x {depth:.0f} cm). Remove "
-                "or move something first."
+                "or move another object first."
             )
         scene = carry(scene, {name: place})
     above = {n for name in names for n in loads(scene, name)}
@@ -147,7 +147,7 @@ def place_by_relations(
     things = (planned, *beneath(scene, planned, away))
     plan = ScenePlan(planned.noun, PlannedTable(), things, "plain")
     layout = arrange_more(plan, placed, models, table, seed, {planned.name: yaw})
-    advice = "Remove or move something first, or choose another position."
+    advice = "Remove or move another object first, or choose another position."
     if layout.warnings or not layout.placements:
         reasons = layout.warnings or (f"There is no free place on the table for {planned.name}.",)
         raise SceneError(f"{' '.join(reasons).split(';')[0].rstrip('.')}. {advice}")

@@ -62,8 +62,8 @@ def whereabouts(scene: Scene, thing: Object, where: str, planner: Planner, seed:
     relations = asked.planned.relations
     if not relations:
         raise InputError(
-            f"{where!r} does not describe a position. Use for example 'left of the laptop', 'on "
-            "the book', 'in the middle of the table', or metres."
+            f"{where!r} does not describe a position. Use, for example, 'left of the laptop', 'on "
+            "the book', 'in the middle of the table', or x and y in metres."
         )
     return replace(asked, planned=replace(as_planned(scene, thing), relations=relations))
 
@@ -90,7 +90,9 @@ def _in_words(scene: Scene, text: str) -> tuple[str, dict[str, str]]:
 def _subject(plan: ScenePlan, text: str) -> PlannedObject:
     """Return the requested object, which comes first; the others only describe its position."""
     if not plan.objects:
-        raise InputError(f"{text!r} names no object to put on the table. Use for example 'a mug'.")
+        raise InputError(
+            f"{text!r} names no object to put on the table. Use, for example, 'a mug'."
+        )
     place = {o.name: text.lower().find(o.noun.lower()) for o in plan.objects}
     subject = min(plan.objects, key=lambda o: place[o.name] if place[o.name] >= 0 else len(text))
     targets = {r.target for r in subject.relations}

@@ -140,7 +140,7 @@ def evaluate(
         fitted = fits(compared)
     else:
         lacking = "picture" if picture is None else "segmentation of its picture"
-        notes.append(f"silhouettes not compared: there is no {lacking}")
+        notes.append(f"silhouettes were not compared: there is no {lacking}")
     if held is None:
         notes.append("not simulated")
     errors = None if truth is None else truth_errors(scene, truth)
@@ -189,7 +189,7 @@ def evaluate_bundle(
     blind = metrics is not None and picture is None
     shown = None if blind else metrics
     found = evaluate(scene, picture=picture, segments=segments, metrics=shown, **options)
-    note = ("no sweep: the scene has no picture; pass one",) if blind else ()
+    note = ("no sweep was rendered: the scene has no picture; pass one",) if blind else ()
     return replace(found, notes=found.notes + note)
 
 

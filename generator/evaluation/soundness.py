@@ -45,7 +45,7 @@ class StillnessRule:
     def __post_init__(self) -> None:
         positive = (self.seconds, self.drift, self.tilt, self.gap)
         if not (np.isfinite([*positive, self.lean, self.toward]).all() and min(positive) > 0):
-            raise InputError(f"A rule needs finite angles and positive limits, got {self}.")
+            raise InputError(f"A rule must have finite angles and positive limits, got {self}.")
         if self.timestep is not None and not 1e-5 <= self.timestep <= 0.01:
             raise InputError(
                 f"The timestep of a rule must be in [1e-5, 0.01] s, got {self.timestep!r}."

@@ -32,7 +32,7 @@ RESERVED = ("world", "floor", "scene", "sun", "PhysicsScene", TABLE)
 """Reserved names, which exports use for other elements."""
 
 SEGMENTS = 32
-"""Number of sides of a round piece in formats without a primitive for it."""
+"""Number of sides of a round part in formats without a primitive for it."""
 
 
 @dataclass(frozen=True, eq=False)

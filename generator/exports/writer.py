@@ -32,7 +32,7 @@ WRITERS: Mapping[str, Callable[[ExportWorld], Mapping[str, bytes]]] = MappingPro
 ALONE = ("glb", "usdz")
 """Formats that are a single file."""
 
-_ADVICE = "Free space there, or choose another folder."
+_ADVICE = "Free disk space, or choose another folder."
 
 
 def export(scene: Scene, to: str, folder: str | Path, name: str | None = None) -> Path:

@@ -168,7 +168,9 @@ def _check_side(body: ForeignBody, what: str, least: float, most: float) -> None
         )
     far = float(np.abs(body.position).max() + np.abs(body.surface.vertices).max())
     if far > LARGEST:
-        raise InputError(f"{what} extends beyond {LARGEST:g} m. Lengths are in metres.")
+        raise InputError(
+            f"{what} extends beyond {LARGEST:g} m from the origin; lengths must be in metres."
+        )
 
 
 def _check_mass(name: str, mass: float, extent: Float[np.ndarray, "3"]) -> None:

@@ -69,7 +69,7 @@ def read_folder(folder: Path, scale: float = 1.0, apart: bool = False) -> Foreig
     if not isinstance(table, dict):
         raise InputError(f'{POSES} has no table: {{"file": …}} or {{"size": [x, y, z]}}.')
     if not isinstance(objects, list) or not objects:
-        raise InputError(f"{POSES} has no objects: it needs a list of at least one.")
+        raise InputError(f"{POSES} must have a list 'objects' of at least one object.")
     check_count(len(objects))
     refusals, bodies = Refusals(), list[ForeignBody]()
     for k, entry in enumerate(cast("list[Any]", objects)):
@@ -232,7 +232,7 @@ class _FolderReader:
         if self._texture_bytes > LIMITS.output:
             raise InputError(
                 f"The files of {POSES} have more than {LIMITS.output >> 20} MiB of textures in "
-                "total. Make them smaller or fewer."
+                "total. Use smaller or fewer textures."
             )
         return surface
 

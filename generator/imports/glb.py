@@ -105,7 +105,7 @@ def _arrange(
         called = [body for body in bodies if TABLE_WORDS.search(body.name)]
         if len(called) != 1:
             raise InputError(
-                f"{len(called)} nodes of the scene have a name for a table. Choose one (--table)."
+                f"The names of {len(called)} nodes suggest a table. Choose the table (--table)."
                 + choices("table", (b.name for b in bodies))
             )
         bodies.remove(called[0])
@@ -150,7 +150,7 @@ def _walk(header: Header, scene: int) -> Iterator[_Place]:
     while waiting:
         k, above, owner, at = waiting.pop()
         if k in seen or not 0 <= k < len(nodes):
-            raise Crooked(f"node {k} has no unique position")
+            raise Crooked(f"node {k} is missing or occurs more than once")
         seen.add(k)
         node = nodes[k]
         matrix = above @ local_matrix(node)
@@ -293,7 +293,7 @@ def _number(value: object, name: str, what: str) -> float | None:
     if value is None:
         return None
     if not is_number(value, minimum=-1e12):
-        raise InputError(f"Node {name!r} needs a number as its {what}.")
+        raise InputError(f"The {what} of node {name!r} must be a number.")
     return float(cast("float", value))
 
 

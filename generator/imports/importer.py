@@ -75,7 +75,9 @@ def find_source(path: Path) -> tuple[SourceKind, Path]:
             return "folder", path
         if (path / _SCENE).is_file():
             return "mjcf", path / _SCENE
-        raise InputError(f"{path} has neither {_SCENE} nor {POSES}. See the guide on importing.")
+        raise InputError(
+            f"{path} contains neither {_SCENE} nor {POSES}. See docs/guides/importing.md."
+        )
     suffix = path.suffix.lower()
     if suffix not in _KINDS:
         raise InputError(

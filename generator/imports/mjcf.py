@@ -159,7 +159,7 @@ class _ModelReader:
             error = InputError(
                 f"The model has {len(other)} joints other than free ones, in "
                 f"{', '.join(names[:5])}. Only rigid bodies with a free joint can be imported; "
-                "remove robots and doors."
+                "remove robots and doors from the model."
             )
             if not self.free:
                 raise error
@@ -203,8 +203,8 @@ class _ModelReader:
             return groups[asked], asked
         if not groups:
             raise InputError(
-                "The model has no table: only planes are fixed in the world and collide. Add a "
-                "fixed body of boxes or a mesh that the objects stand on."
+                "The model has no table: its only fixed geoms that collide are planes. Add a fixed "
+                "body, made of boxes or a mesh, on which the objects stand."
             )
         votes = dict.fromkeys(groups, 0)
         boxes = {name: self._box(geoms) for name, geoms in groups.items()}

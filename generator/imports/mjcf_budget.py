@@ -69,13 +69,13 @@ def check_copies(root: ET.Element, most_elements: int) -> None:
             if not _is_few(count):
                 raise InputError(
                     f"The model replicates a body {count.strip()[:40]!r} times; only whole numbers "
-                    f"up to {MOST_COPIES} are allowed. Correct the count, or replicate less."
+                    f"up to {MOST_COPIES} are allowed. Correct the count, or make fewer copies."
                 )
             times *= int(count)
         if geoms > MOST_GEOMS or elements > most_elements:
             raise InputError(
                 f"The model has more than {MOST_GEOMS} geoms or {most_elements} elements, "
-                "including replicated ones. Replicate less, or remove objects."
+                "including replicated ones. Make fewer copies, or remove objects."
             )
         waiting += [(child, times) for child in element]
 
@@ -99,8 +99,8 @@ def check_assets(root: ET.Element, files: Mapping[str, bytes], sides: Iterable[s
             if own > MOST_TEXELS or texels > MOST_TEXELS_TOGETHER:
                 raise InputError(
                     f"The texture {element.get('name', '')[:80]!r} has {own:.4g} texels; at most "
-                    f"{MOST_TEXELS} are allowed, and {MOST_TEXELS_TOGETHER} for all textures. Make "
-                    "textures smaller or fewer."
+                    f"{MOST_TEXELS} are allowed, and {MOST_TEXELS_TOGETHER} for all textures. Use "
+                    "smaller or fewer textures."
                 )
         elif element.tag == "mesh" and (name := element.get("file", "")) in files:
             faces += files[name].count(b"\nf") if name.endswith(".obj") else 0

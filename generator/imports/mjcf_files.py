@@ -25,9 +25,9 @@ MOST_ELEMENTS, MOST_DEPTH, MOST_INCLUDES = 200_000, 100, 200
 _REFUSED = {
     "extension": "plugins run code", "plugin": "plugins run code",
     "model": "it attaches another model", "attach": "it attaches another model",
-    "flexcomp": "soft bodies are not rigid", "flex": "soft bodies are not rigid",
-    "composite": "soft bodies are not rigid", "deformable": "soft bodies are not rigid",
-    "skin": "skins are not rigid", "hfield": "height fields are not supported",
+    "flexcomp": "soft bodies are not supported", "flex": "soft bodies are not supported",
+    "composite": "soft bodies are not supported", "deformable": "soft bodies are not supported",
+    "skin": "skins are not supported", "hfield": "height fields are not supported",
 }  # fmt: skip
 _FILES = {"mesh": "meshdir", "texture": "texturedir"}
 SIDES = ("fileright", "fileleft", "fileup", "filedown", "filefront", "fileback")
@@ -116,7 +116,8 @@ class _Reader:
         named = element.get("file"), *(element.get(side) for side in SIDES)
         if tag not in _FILES and any(named):
             raise InputError(
-                f"The model refers to a file in <{tag[:40]}>; only meshes and textures may."
+                f"The model refers to a file in <{tag[:40]}>; only meshes and textures may refer "
+                "to files."
             )
 
     def hand_over(self, root: ET.Element) -> None:
@@ -157,8 +158,8 @@ class _Reader:
         path = PurePosixPath(given.replace("\\", "/"))
         if path.is_absolute() or not given or ":" in given:
             raise InputError(
-                f"The model refers to the file {given[:200]!r}; paths must be relative, and stay "
-                "inside its folder."
+                f"The model refers to the file {given[:200]!r}; paths must be relative and must "
+                "not leave the model's folder."
             )
         found = [_plain(place / path) for place in places]
         for inside in found:
@@ -166,8 +167,8 @@ class _Reader:
                 return inside
         if found[-1] is None:
             raise InputError(
-                f"The model refers to the file {given[:200]!r} outside its folder. Pass a folder "
-                "that contains both (--root)."
+                f"The model refers to the file {given[:200]!r}, which is outside its folder. Pass "
+                "a folder that contains both (--root)."
             )
         return found[-1]
 
@@ -209,7 +210,7 @@ def _parse(raw: bytes, what: str, above: int, most: int) -> ET.Element:
     ``above`` is the nesting depth of its root, which counts towards the maximum depth.
     """
     if b"<!DOCTYPE" in raw or b"<!ENTITY" in raw or b"\0" in raw:
-        raise InputError(f"{what} declares a document type or entities, or is not text.")
+        raise InputError(f"{what} must be text, without a document type or entity declarations.")
     head = raw[:200].lower()
     if b"encoding" in head.split(b"?>")[0] and not any(
         name in head for name in (b"utf-8", b"utf8", b"ascii")

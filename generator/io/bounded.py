@@ -186,7 +186,7 @@ def read_regular(
         reason = getattr(failure, "strerror", None) or failure
         raise error(f"{what} {str(path)!r} cannot be read: {reason}.") from failure
     if not regular:
-        raise error(f"{what} {str(path)!r} is not a regular file. Name a file.")
+        raise error(f"{what} {str(path)!r} is not a regular file. Pass the path of a file.")
     if large or len(content) > max_bytes:
         raise error(f"{what} {str(path)!r} is larger than the limit of {max_bytes} bytes.")
     return content

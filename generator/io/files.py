@@ -139,7 +139,7 @@ def remove_file(parent: Path, name: str) -> None:
 def _removing(parent: Path, name: str) -> Iterator[Path]:
     if not is_plain_name(name):
         raise StorageError(
-            f"{name!r} is not the plain name of an entry of {parent}; nothing was removed."
+            f"{name!r} must be the name of an entry of {parent}, not a path; nothing was removed."
         )
     place = parent / name
     try:

@@ -62,7 +62,7 @@ def run(
         BackendError: Ray is not available.
         StorageError: the folder is not writable, or the disk is full.
     """
-    require_number("A batch needs workers", workers, minimum=1, maximum=1024, integer=True)
+    require_number("workers", workers, minimum=1, maximum=1024, integer=True)
     jobs, make, folder = jobs_of(prompts, seed, variants), make or Generating(), Path(folder)
     place_of(folder)
     done: dict[Job, Outcome] = {}

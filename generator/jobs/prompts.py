@@ -64,7 +64,7 @@ def jobs_of(prompts: Iterable[str | Job], seed: int = 0, variants: int = 1) -> t
     Raises:
         InputError: there are no jobs or too many, or a number is out of range.
     """
-    require_number("A batch needs variants", variants, minimum=1, maximum=_MOST, integer=True)
+    require_number("variants", variants, minimum=1, maximum=_MOST, integer=True)
     first = dict.fromkeys(p if isinstance(p, Job) else Job(p, seed) for p in prompts)
     seeds: dict[str, list[int]] = {}
     for job in first:
@@ -102,7 +102,9 @@ def read_prompts(path: str | Path, seed: int = 0) -> list[Job]:
     if path.suffix.lower() == ".json":
         entries = parse_json(raw, f"The prompt file {path}", InputError, max_bytes=_MOST_BYTES)
         if not isinstance(entries, list):
-            raise InputError(f"{path} must be an array of texts, or of objects with a text.")
+            raise InputError(
+                f"{path} must be a JSON array of strings, or of objects with the key 'text'."
+            )
         return [_job(entry, seed, path) for entry in entries]
     try:
         lines = (line.strip() for line in raw.decode("utf-8-sig").splitlines())
@@ -126,6 +128,7 @@ def _job(entry: Any, seed: int, path: Path) -> Job:
         return Job(entry, seed)
     if not isinstance(entry, dict) or "text" not in entry:
         raise InputError(
-            f"{path} contains {entry!r:.80}, which is neither a text nor an object with a text."
+            f"{path} contains {entry!r:.80}, which is neither a string nor an object with the key "
+            "'text'."
         )
     return Job(entry["text"], entry.get("seed", seed))

@@ -142,7 +142,8 @@ def _make(job: Job, folder: Path, name: str, make: Maker) -> Outcome:
     if not _sound(folder / made.name):
         raise StorageError(
             f"The scene of {job.text!r:.80} was made, but its record or its bundle "
-            f"{made.name!r:.80} cannot be read back from {folder}. Check the disk and the name."
+            f"{made.name!r:.80} cannot be read back from {folder}. Check that the disk works and "
+            "that the bundle still has this name."
         )
     return outcome
 

@@ -84,7 +84,7 @@ class Generating:
             require(self, "budget", minimum=0)
             if self.shared_budget is None:
                 raise InputError(
-                    "Generating needs a shared budget, from which all processes spend. Pass "
+                    "Generating requires one budget for all its processes. Pass "
                     "shared_budget=shared_budget(FOLDER) with the batch's folder."
                 )
 

@@ -135,17 +135,19 @@ def check_text(prompt: str) -> None:
         InputError: The text is empty, too long, without words or not English.
     """
     if not isinstance(prompt, str):
-        raise InputError(f"Expected a text or a ScenePlan, got {type(prompt).__name__}.")
+        raise InputError(f"Expected a prompt or a ScenePlan, got {type(prompt).__name__}.")
     if not prompt.strip():
         raise InputError(f"The text is empty. Describe a tabletop, for example {EXAMPLE}.")
     if len(prompt) > MAX_CHARACTERS:
         raise InputError(
-            f"The text has {len(prompt)} characters; at most {MAX_CHARACTERS} are allowed. "
+            f"The prompt has {len(prompt)} characters; at most {MAX_CHARACTERS} are allowed. "
             "Describe one table in a few sentences."
         )
     letters = [c for c in prompt if c.isalpha()]
     if not letters:
-        raise InputError(f"The text contains no words. Describe a tabletop, for example {EXAMPLE}.")
+        raise InputError(
+            f"The prompt contains no words. Describe a tabletop, for example {EXAMPLE}."
+        )
     if is_foreign(prompt) or not _has_english(prompt):
         raise InputError(OTHER_LANGUAGE)
 

@@ -115,9 +115,10 @@ def check_surface(faces: Faces, what: str) -> None:
     torn, uneven = flaws(faces)
     if torn + uneven > _FLAWED:
         raise BackendError(
-            f"{what} is not a surface: {torn:.1%} of its edges are torn, {uneven:.1%} join three "
-            f"faces or turn over; the limit for both together is {_FLAWED:.0%} after repair. Merge "
-            "its vertices, or make it manifold (Blender: Mesh, Clean Up)."
+            f"{what} is not a surface: after repair, {torn:.1%} of its edges have one face, and "
+            f"{uneven:.1%} have three or more, or faces of opposite orientation; the limit is "
+            f"{_FLAWED:.0%} in total. Merge its vertices, or make it manifold (Blender: Mesh, "
+            "Clean Up)."
         )
 
 

@@ -392,7 +392,7 @@ def finish(
         report = judge(scene.replace(report=report), config.limits)
     warnings = (
         *(f"{name} has no free place on the table" for name in rested.stuck),
-        *(f"{name} does not stand" for name in rested.unstable),
+        *(f"{name} does not stand stably" for name in rested.unstable),
         *(f"{name} stands on a weighted foot that is not part of its model"
           for name in _list_footed(arranged, scene)),
         *(f"{name} was left out" for name in sorted(rested.dropped)),

@@ -57,9 +57,7 @@ _FULFILLED = 4  # number of scenes after which one with unmet relations is accep
 _FAITHFUL = 2  # number of scenes that keep objects from the drawing
 _MISPLACED = "the reconstruction violates its relations"
 
-UNREFINED = (
-    "The joint refinement is discarded: the finished scene matches the picture better without it."
-)
+UNREFINED = "The joint refinement was discarded: the scene matches the picture better without it."
 
 Placements = tuple[Placement, ...]
 
@@ -229,7 +227,7 @@ class _Drafting:
         scene, known = self.found.assemble_laid(layout), {*self.draft.models}
         if scene.report is not None and not scene.report.passed:
             failing = {name for failure in scene.report.failures for name in failure.objects}
-            self.draft = self.draft.doubt(known & failing or known, "it does not stand")
+            self.draft = self.draft.doubt(known & failing or known, "it does not stand stably")
             return scene
         scene = record_relations(scene)
         doubted = {name for each in list_unmet(scene) for name in (each.name, each.target)}

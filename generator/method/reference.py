@@ -18,7 +18,7 @@ from ..pictures import DecodedPicture, PictureLimits, decode
 from ..scene import Intrinsics, Reference, ScenePlan
 
 Source = str | Path | bytes | ScenePlan | np.ndarray
-"""A text, a plan, or a picture given as a path, encoded bytes or an (h, w, 3 or 4) uint8 array."""
+"""A prompt, a plan, or a picture: a path, encoded bytes or an (h, w, 3 or 4) uint8 array."""
 
 DepthSource = str | Path | bytes | np.ndarray
 """A depth map of the same size as the picture: an array in metres (float) or millimetres (uint16),
@@ -80,7 +80,7 @@ def refer(
         return Reference(imager.draw(plan, seed), source, plan)
     if isinstance(source, ScenePlan):
         if not source.objects:
-            raise InputError("The plan holds no object; a scene needs at least one.")
+            raise InputError("The plan contains no objects; a scene must have at least one.")
         return Reference(imager.draw(source, seed), source.prompt, source)
     return Reference(read_image(source, config))
 
@@ -147,10 +147,14 @@ def _refer_depth(
     config: ReferenceConfig,
 ) -> Reference:
     if isinstance(source, ScenePlan) or (isinstance(source, str) and not is_picture_name(source)):
-        raise InputError("Depth and intrinsics belong to a picture; a text or a plan has neither.")
+        raise InputError(
+            "Depth and intrinsics can only be given with a picture, not with a prompt or a plan."
+        )
     if depth is None or intrinsics is None:
         missing = "depth map" if depth is None else "intrinsics (fx, fy, cx, cy in pixels)"
-        raise InputError(f"An RGB-D picture also needs its {missing}. Pass both, or neither.")
+        raise InputError(
+            f"An RGB-D picture also needs its {missing}. Pass depth and intrinsics, or neither."
+        )
     picture = _decode(source, config)
     if picture.orientation != 1:
         raise InputError(
@@ -186,12 +190,12 @@ def read_depth(
         )
     if raw.dtype != np.uint16 and not np.issubdtype(raw.dtype, np.floating):
         raise InputError(
-            f"A depth array is float metres or uint16 millimetres, got {raw.dtype}. Convert it."
+            f"A depth array must be float (metres) or uint16 (millimetres), got {raw.dtype}."
         )
     metres = raw.astype(np.float32) * (1e-3 if raw.dtype == np.uint16 else 1.0)
     metres = np.where(np.isfinite(metres), metres, 0).astype(np.float32)
     if metres.min() < 0:
-        raise InputError("The depth map holds negative distances; write 0 where it is unknown.")
+        raise InputError("The depth map must not contain negative distances; 0 means unknown.")
     known = metres > 0
     if known.mean() < config.min_known:
         raise InputError(
@@ -277,14 +281,14 @@ def _read_bytes(source: object, config: ReferenceConfig, what: str = "picture") 
     data = source
     if isinstance(source, str | Path):
         if not os.path.lexists(source):
-            hint = " Pass a text, or a path to a file." if what == "picture" else ""
+            hint = " Pass a prompt, or the path of a file." if what == "picture" else ""
             raise InputError(f"No {what} at {str(source)!r}.{hint}")
         if Path(source).is_dir():
             raise InputError(f"{str(source)!r} is a directory. Pass the path of a {what}.")
         data = read_regular(source, f"The {what}", InputError, max_bytes=config.max_bytes)
     if not isinstance(data, bytes):
         raise InputError(
-            "Expected a text, a plan or a picture (path, bytes or array), got "
+            "Expected a prompt, a plan or a picture (path, bytes or array), got "
             f"{type(source).__name__}."
         )
     if not data or len(data) > config.max_bytes:

@@ -253,7 +253,7 @@ def check_names(category: Category) -> CheckResult:
     """Check that no other category uses one of this category's names."""
     names = {category.noun, *category.aliases}
     taken = {
-        f"{name!r} is a name of {other}"
+        f"{name!r} is already a name of {other}"
         for name in names
         for other, is_noun in _claims().get(name, ())
         if other != category.key and not (is_noun and name == category.noun)

@@ -74,8 +74,8 @@ class CutBudget:
         if key not in self._hulls:
             if self.left <= 0 or not self.cpu.left:
                 raise SceneError(
-                    "Convex decomposition of earlier meshes used up the piece budget of the "
-                    "import. Add convex parts to the models, or import fewer at a time."
+                    "The convex decomposition of earlier meshes used all convex parts that one "
+                    "import allows. Add convex parts to the models, or import fewer at a time."
                 )
             try:
                 self._hulls[key], pieces = run()
@@ -147,9 +147,7 @@ def _coacd(
             "the model, or use a simpler mesh."
         ) from error
     if not hulls:
-        raise SceneError(
-            "Convex decomposition found no solid piece. Add convex parts to the model."
-        )
+        raise SceneError("Convex decomposition found no solid part. Add convex parts to the model.")
     return hulls, pieces
 
 

@@ -132,7 +132,7 @@ def _from_moments(
     """Sum triangles, or (if ``first`` is 4) tetrahedra to the origin, of masses ``weights``."""
     total = float(weights.sum())
     if not total > 0:
-        raise SceneError(f"A shape encloses no volume: its mass came out as {total:.3g} kg.")
+        raise SceneError(f"A shape must enclose a volume; its computed mass is {total:.3g} kg.")
     sums = triangles.sum(1)
     com = (weights[:, None] * sums).sum(0) / first / total
     moment = np.einsum("m,mki,mkj->ij", weights, triangles, triangles)

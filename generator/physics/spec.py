@@ -92,8 +92,8 @@ def unsimulatable(name: str, reason: str, when: str = "") -> SceneError:
     """Return an error with the message that MuJoCo cannot simulate a scene."""
     said = " ".join(reason.split())[:200]
     return SceneError(
-        f"MuJoCo cannot simulate the scene {name!r}{when}: {said!r}. Make the scene again: its "
-        "bodies overlap."
+        f"MuJoCo cannot simulate the scene {name!r}{when}: {said!r}. Its bodies may overlap; make "
+        "the scene again."
     )
 
 
@@ -149,7 +149,7 @@ def compile_spec(spec: mujoco.MjSpec, name: str) -> mujoco.MjModel:
 def _unbuildable(name: str, error: ValueError) -> SceneError:
     said = " ".join(str(error).split())
     return SceneError(
-        f"MuJoCo cannot build the scene {name!r}: {said!r}. Make the scene again, or give that "
+        f"MuJoCo cannot build the scene {name!r}: {said!r}. Create the scene again, or give that "
         "body a valid shape and inertia."
     )
 

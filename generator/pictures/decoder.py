@@ -67,7 +67,7 @@ def decode_png(
     from .pixels import decode_pixels
 
     if form == "upright" or limits.formats != ("PNG",):
-        raise ValueError("only plain PNGs are decoded outside a child")
+        raise ValueError("only plain PNGs are decoded outside a child process")
     try:
         return decode_pixels(raw, what, limits, form, None)
     except InputError as failure:

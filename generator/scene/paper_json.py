@@ -58,7 +58,7 @@ def _plain(name: object) -> str:
 def _placement(name: str, entry: Any, yaws: Mapping[str, Any]) -> Placement:
     if name not in yaws:
         raise InputError(f"No rotation for {name!r}; rotations are given for {sorted(yaws)}.")
-    require_number(f"{name!r} needs a rotation", yaws[name])
+    require_number(f"The rotation of {name!r}", yaws[name])
     try:
         translation = np.asarray(entry["translation"], float) * _FRAME
         scale = np.asarray(entry["scale"], float) / 100.0

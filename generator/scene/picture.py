@@ -34,7 +34,7 @@ class Intrinsics:
     def __post_init__(self) -> None:
         for name, above in (("fx", 0.0), ("fy", 0.0), ("cx", None), ("cy", None)):
             value = getattr(self, name)
-            require_number(f"Intrinsics need {name}", value, above=above, maximum=_MAX_PIXELS)
+            require_number(f"Intrinsics.{name}", value, above=above, maximum=_MAX_PIXELS)
             object.__setattr__(self, name, float(value))
 
     def scale(self, across: float, down: float) -> Intrinsics:
@@ -60,7 +60,7 @@ class Reference:
     def __post_init__(self) -> None:
         freeze(self, image=PICTURE)
         if (self.depth is None) != (self.intrinsics is None):
-            raise InputError("A Reference needs depth and intrinsics together, or neither.")
+            raise InputError("A Reference must have both depth and intrinsics, or neither.")
         if self.depth is not None:
             freeze(self, depth=(np.float32, self.image.shape[:2]))
             if self.depth.min() < 0:
@@ -128,13 +128,13 @@ class View:
     def __post_init__(self) -> None:
         if not np.abs([self.azimuth, self.elevation, self.fov, self.roll]).max() < 1e4:
             raise InputError(
-                f"View needs finite angles in radians, below 1e4 in magnitude, got {self}."
+                f"View must have angles in radians below 1e4 in magnitude, got {self}."
             )
         sides = 0 < self.elevation <= np.pi / 2 + 1e-9, _MIN_FOV <= self.fov <= np.pi - _MIN_FOV
         if not all(sides):
             raise InputError(
-                f"View needs elevation in (0, pi/2] and fov in (0, pi) radians, {_MIN_FOV} from "
-                f"both ends, got {self}."
+                f"View must have elevation in (0, pi/2] rad, and fov in [{_MIN_FOV}, pi - "
+                f"{_MIN_FOV}] rad, got {self}."
             )
 
 

@@ -117,7 +117,9 @@ class ScenePlan:
             )
         names = [planned.name for planned in self.objects]
         if len(set(names)) < len(names) or TABLE in names:
-            raise InputError(f"Planned names must be unique and not {TABLE!r}: {names}.")
+            raise InputError(
+                f"Planned names must be unique and must not be {TABLE!r}, got {names}."
+            )
         for group in self.groups:
             strange = {*group.members, *([group.around] if group.around else [])} - {*names}
             if strange or group.kind not in get_args(GroupKind):

@@ -53,10 +53,10 @@ class Rotation:
 
     def __post_init__(self) -> None:
         if self.order < 1:
-            raise InputError(f"Rotation {self.name!r} needs an order >= 1, got {self.order}.")
+            raise InputError(f"Rotation {self.name!r}: order must be >= 1, got {self.order}.")
         if not (np.isfinite(self.yaw) and 0 <= self.margin < np.inf and 0 < self.width <= np.pi):
             raise InputError(
-                f"Rotation {self.name!r} needs a finite yaw, a finite margin >= 0 and a "
+                f"Rotation {self.name!r} must have a finite yaw, a finite margin >= 0 and a "
                 f"width in (0, pi], got yaw {self.yaw}, margin {self.margin}, width {self.width}."
             )
 
@@ -189,9 +189,9 @@ class Table:
         freeze(self, FARTHEST, scale=VECTOR, outline=OUTLINE)
         if (self.scale < SMALLEST).any() or len(self.outline) < 3 or not self.parts:
             raise InputError(
-                "Table needs a positive scale, at least 3 outline points and at least one convex "
-                f"part, got scale {self.scale}, {len(self.outline)} points and {len(self.parts)} "
-                "parts."
+                "Table must have a positive scale, at least 3 outline points and at least one "
+                f"convex part, got scale {self.scale}, {len(self.outline)} points and "
+                f"{len(self.parts)} parts."
             )
         x, y = self.outline.T
         if np.sum(x * np.roll(y, -1) - y * np.roll(x, -1)) < 2 * _MIN_TOP:

@@ -27,7 +27,7 @@ class Proportions:
         freeze(self, logs=(np.float64, (2,)), spread=(np.float64, (2,)))
         if not (np.isfinite(self.logs).all() and (self.spread > 0).all()):
             raise InputError(
-                f"Proportions need finite logs and a positive, finite spread, got {self}."
+                f"Proportions must have finite logs and a positive, finite spread, got {self}."
             )
 
     @property

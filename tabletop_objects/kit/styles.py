@@ -271,7 +271,7 @@ _STRONG = 0.35
 """Minimum strength of a colour relative to the requested colour."""
 
 _CONTRAST = 0.6
-"""How much of a tile's contrast is kept when it is painted over."""
+"""Fraction of a tile's contrast that is kept when it is painted over."""
 
 
 def show_color(made: Shape, word: str) -> Shape:

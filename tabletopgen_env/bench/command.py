@@ -158,7 +158,7 @@ def check_results(
     from .audit.command import Check, check_result
 
     if not results:
-        raise InputError("Give at least one result to check.")
+        raise InputError("Specify at least one result to check.")
     check = Check(episodes, seed, policy, suite, tables, pool)
     passed = [check_result(path, check) for path in results]
     return 0 if all(passed) else 1
@@ -213,7 +213,7 @@ def _find(names: Iterable[str]) -> list[Suite]:
 
     wanted = list(names)
     if not wanted:
-        raise InputError("Give at least one suite; `tabletopgen bench list` lists them.")
+        raise InputError("Specify at least one suite; `tabletopgen bench list` lists them.")
     every = [name for given in wanted for name in (known() if given == "all" else [given])]
     return [find_suite(name) for name in dict.fromkeys(every)]
 

@@ -38,7 +38,7 @@ def difference(result: BenchResult, baseline: BenchResult) -> PairedDifference:
         if (own := getattr(result, name)) != (other := getattr(baseline, name)):
             raise InputError(
                 f"Results can only be compared on the same suite: {result.player.name} has "
-                f"{name} {own[:40]!r}, {baseline.player.name} {other[:40]!r}."
+                f"{name} {own[:40]!r}, and {baseline.player.name} has {other[:40]!r}."
             )
     before = {row.key: row.solved for row in baseline.episodes}
     if before.keys() != {row.key for row in result.episodes}:
@@ -61,7 +61,7 @@ def compare(results: Sequence[BenchResult]) -> list[tuple[str, ...]]:
         InputError: there are no results, or they belong to different suites.
     """
     if not results:
-        raise InputError("Give at least one result to compare.")
+        raise InputError("Specify at least one result to compare.")
     levels = list(dict.fromkeys(row.level for row in results[0].episodes))
     head = ("policy", "solved", "share", "95 %", *levels, "difference", "95 %", "gained", "lost")
     return [head, *(_row(r, results[0], levels, k == 0) for k, r in enumerate(results))]

@@ -39,7 +39,7 @@ def read_results(folder: Path) -> list[BenchResult]:
     """
     paths = sorted(folder.glob("*.json"))
     if not paths:
-        raise InputError(f"{folder} holds no results. `tabletopgen bench run` writes them.")
+        raise InputError(f"{folder} contains no results. `tabletopgen bench run` writes them.")
     return [_read_with_mark(path) for path in paths]
 
 
@@ -81,14 +81,14 @@ def _suite(result: BenchResult) -> Suite:
     """Check that a result's episodes match those of its suite, and return the suite."""
     if not result.suite.removesuffix(RANDOM).endswith("-test"):
         raise InputError(
-            "The leaderboard only accepts test suites; there is a result of "
-            f"{result.player.name} is of {result.suite!r}."
+            "The leaderboard only accepts test suites; remove the result of "
+            f"{result.player.name} on {result.suite!r}."
         )
     suite = find_suite(result.suite)
     check_suite(result, suite)
     if found := doubts(result, suite):
         raise InputError(
-            f"The result of {result.player.name} on {result.suite} has impossible figures: "
+            f"The result of {result.player.name} on {result.suite} has impossible values: "
             f"{'; '.join(map(str, found))}. Remove it; `tabletopgen bench check` gives details."
         )
     return suite

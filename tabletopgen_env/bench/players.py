@@ -175,8 +175,8 @@ class PolicyPlayer:
             own, there = getattr(self.policy, name, None), getattr(env, name)
             if own is not None and own != there:
                 raise InputError(
-                    f"The policy's {name} is {own}, the environment's {there}. Give the policy "
-                    "an attribute env with its training settings, for example env =  "
+                    f"The policy's {name} is {own}, but the environment's is {there}. Give the "
+                    "policy an attribute env with its training settings, for example env = "
                     "{'observation': 'pixels', 'image_size': 64}."
                 )
 
@@ -191,7 +191,7 @@ def _call(module: str, function: str) -> Any:
     except Exception as error:  # the function can raise any exception
         raise InputError(
             f"{module}:{function} does not create a policy ({type(error).__name__}: {error}). "
-            "Give an importable module and a function in it without arguments."
+            "Pass an importable module and a function in it that takes no arguments."
         ) from error
     if not callable(getattr(policy, "predict", None)):
         raise InputError(
@@ -247,7 +247,7 @@ def _own_settings(given: Any, name: str, suite: Suite) -> dict[str, Any]:
         )
     for key in given:
         if key not in OWN | OF_TRAINING:
-            why = "the suite's" if key in KEYWORDS else "not an environment setting"
+            why = "set by the suite" if key in KEYWORDS else "not an environment setting"
             raise InputError(f"{name}: its env has {key!r}, which is {why}. Remove it.")
     kept = {k: v for k, v in given.items() if k in OWN and k != "control_hz"}
     return {key: _plain(key, value) for key, value in sorted(kept.items())}
@@ -261,8 +261,8 @@ def _plain(key: str, value: Any) -> Any:
         return [_plain(key, part) for part in value]
     if not isinstance(value, str | bool | int | float):
         raise InputError(
-            "A policy's env may only hold names, numbers, and lists or tables of them, for "
-            f"results to record: {key} is {value!r:.80}."
+            "A policy's env may only contain strings, numbers, and lists or dicts of these, so "
+            f"that results can record it; {key} is {value!r:.80}."
         )
     return value
 

@@ -172,19 +172,21 @@ def read_result(path: str | Path) -> BenchResult:
 def read_row(entry: dict[str, Any]) -> EpisodeRow:
     """Parse an episode row; raise ValueError, TypeError or KeyError if it is invalid."""
     if {*entry} != {field.name for field in dataclasses.fields(EpisodeRow)}:
-        raise ValueError(f"an episode has unexpected keys: {', '.join(sorted(entry))!s:.200}")
+        raise ValueError(
+            f"an episode has missing or unexpected keys: {', '.join(sorted(entry))!s:.200}"
+        )
     for name in ("target", "goal"):
         if entry[name] is not None:
             printable(entry[name], "A name", InputError)
     if not _TABLE.fullmatch(check_type(entry["table"], str)):
-        raise ValueError(f"a table is {entry['table']!r:.40}")
+        raise ValueError(f"a table has an invalid name: {entry['table']!r:.40}")
     printable(entry["level"], "A level", InputError)
     for name in ("number", "seed", "steps"):
         if not 0 <= check_type(entry[name], int) < 2**31:
-            raise ValueError(f"{name} is {entry[name]}")
+            raise ValueError(f"{name} is out of range: {entry[name]}")
     check_type(entry["solved"], bool)
     if not is_number(entry["reward"], minimum=-1.0, maximum=1.0):
-        raise ValueError(f"a reward is {entry['reward']!r:.40}")
+        raise ValueError(f"a reward is not in [-1, 1]: {entry['reward']!r:.40}")
     return EpisodeRow(**entry)
 
 
@@ -216,7 +218,9 @@ def _result(payload: dict[str, Any]) -> BenchResult:
 
 def _player(entry: dict[str, Any]) -> PlayerFacts:
     if {*entry} != {field.name for field in dataclasses.fields(PlayerFacts)}:
-        raise ValueError(f"its player has unexpected keys: {', '.join(sorted(entry))!s:.200}")
+        raise ValueError(
+            f"its player has missing or unexpected keys: {', '.join(sorted(entry))!s:.200}"
+        )
     name, kind = (printable(entry[key], f"A {key}", InputError) for key in ("name", "kind"))
     digest = check_type(entry["digest"], str)
     if digest and not _SHA256.fullmatch(digest):
@@ -224,7 +228,7 @@ def _player(entry: dict[str, Any]) -> PlayerFacts:
     settings = check_type(entry["settings"], dict)
     _check_setting(settings)
     if kind not in KINDS:
-        raise ValueError(f"a player has the kind {kind!r:.40}, expected one of {', '.join(KINDS)}")
+        raise ValueError(f"its player's kind must be one of {', '.join(KINDS)}, got {kind!r:.40}")
     if kind in SIMPLE and (digest or settings):
         raise ValueError(f"its player is {kind!r}, which cannot have a digest or settings")
     player = PlayerFacts(name, kind, digest, settings)
@@ -245,4 +249,4 @@ def _check_setting(value: Any) -> None:
     elif isinstance(value, str):
         printable(value, "A setting", InputError)
     elif type(value) not in (bool, int, float):
-        raise ValueError(f"a setting is {value!r:.80}")
+        raise ValueError(f"a setting has an unsupported value: {value!r:.80}")

@@ -77,9 +77,7 @@ def run_suite(suite: Suite, player: str, run: BenchRun, report: Report | None = 
         BundleError: a table is damaged.
         StorageError: a file cannot be written, or another process writes the same result.
     """
-    require_number(
-        "TabletopBench needs --workers", run.pool.workers, minimum=1, maximum=1024, integer=True
-    )
+    require_number("--workers", run.pool.workers, minimum=1, maximum=1024, integer=True)
     say = report or (lambda what, done, total: None)
     facts, _ = find_player(player, suite)
     if run.name is not None:
@@ -206,7 +204,7 @@ def _resume(
             raise InputError(f"{journal} is damaged ({error!s:.200}). Remove it.") from error
         asked = [row_of(episode, _NOTHING).key for episode in episodes]
         if [row.key for row in rows] != asked[: len(rows)]:
-            raise InputError(f"{journal} does not hold the suite's episodes. Remove it.")
+            raise InputError(f"{journal} does not contain the suite's episodes. Remove it.")
     text = _line(head) + "".join(_line(dataclasses.asdict(row)) for row in rows)
     write_whole(journal, text, "The journal", "Choose another --out.")
     return rows
@@ -230,6 +228,6 @@ def _check_same(path: Path, head: dict[str, Any]) -> None:
     other = [key for key, value in head.items() if check_type(payload, dict)[key] != value]
     if other:
         raise InputError(
-            f"{path} is a different result (other {', '.join(other)}). Remove it, or choose "
+            f"{path} is a different result (different {', '.join(other)}). Remove it, or choose "
             "another --out or --name."
         )

@@ -211,7 +211,7 @@ def _table(entry: dict[str, Any], task: str) -> SuiteTable:
     if len(listed) > MOST_INSTANCES:
         raise ValueError(f"a table lists more than {MOST_INSTANCES} instances")
     if entry["split"] not in LISTED:
-        raise ValueError(f"a table has the split {entry['split']!r}")
+        raise ValueError(f"a table has the unknown split {entry['split']!r}")
     digest = check_type(entry["digest"], str)
     if not _DIGEST.fullmatch(digest):
         raise ValueError(f"a table has an invalid digest: {digest!r}")
@@ -224,7 +224,7 @@ def _table(entry: dict[str, Any], task: str) -> SuiteTable:
 def _instance(entry: dict[str, Any], task: str) -> TaskInstance:
     names = {"target", "goal", "preset"}
     if odd := {*entry} - names - {"successes", "episodes"}:
-        raise ValueError(f"an instance has {', '.join(sorted(odd))}")
+        raise ValueError(f"an instance has unexpected keys: {', '.join(sorted(odd))}")
     told = {name: printable(entry[name], "A name", InputError) for name in names if name in entry}
     solved, played = check_type(entry["successes"], int), check_type(entry["episodes"], int)
     if not 0 <= solved <= played <= MOST_EPISODES:

@@ -78,9 +78,7 @@ def make_tables(
         BundleError: an existing table differs from the suite's.
         StorageError: the folder cannot be written.
     """
-    require_number(
-        "TabletopBench needs --workers", pool.workers, minimum=1, maximum=1024, integer=True
-    )
+    require_number("--workers", pool.workers, minimum=1, maximum=1024, integer=True)
     place = store_of(folder)
     check_folder(place)
     make = partial(_make, suites, place)

@@ -95,7 +95,7 @@ def certify_all(
         BackendError: Ray is not available.
         SceneError: a process ended unexpectedly.
     """
-    require_number("certify needs workers", workers, minimum=1, maximum=1024, integer=True)
+    require_number("workers", workers, minimum=1, maximum=1024, integer=True)
     jobs = [(path, task, terms) for path in paths for task in terms.tasks]
     listed = iter(_in_turn(jobs, workers, ray))
     for path in paths:

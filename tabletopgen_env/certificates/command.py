@@ -50,7 +50,7 @@ def certify(
     from .certify import certify_all, is_certified
 
     if not bundles:
-        raise InputError("Give at least one bundle to certify.")
+        raise InputError("Specify at least one bundle to certify.")
     terms = Terms(tasks, episodes, most, seed)
     if episodes < STARTS:
         print(f"Fewer than {STARTS} episodes per instance certify nothing.", file=sys.stderr)

@@ -71,7 +71,8 @@ class StartReplay:
         other = (
             f"; the certificate was made with {', '.join(self.versions)}" if self.versions else ""
         )
-        return f"{_name_of(self.instance)}: episode {self.number} is {now}, listed as {said}{other}"
+        name = _name_of(self.instance)
+        return f"{name}: episode {self.number} is {now}, but is listed as {said}{other}"
 
 
 def check_certificate(path: Path, count: int, seed: int) -> tuple[int, Sequence[object]]:
@@ -89,7 +90,7 @@ def check_certificate(path: Path, count: int, seed: int) -> tuple[int, Sequence[
         InputError: ``count`` is less than one.
         BundleError: the bundle or its certificate is damaged.
     """
-    require_number("verify needs --replay", count, minimum=1, integer=True)
+    require_number("--replay", count, minimum=1, integer=True)
     certificate = read_certificate(path)
     if certificate is None or not certificate.instances:
         return 0, ()

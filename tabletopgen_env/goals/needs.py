@@ -9,7 +9,7 @@ instance; ``benchmarks/fresh_tables.py`` measures how often.
 from __future__ import annotations
 
 Need = tuple[str, ...]
-"""The alternatives for one need; ``generator.language.distribution.Needs`` has several needs."""
+"""Objects of which a scene needs one; ``generator.language.distribution.Needs`` has several."""
 
 STANDING: Need = (
     "toy block", "building brick", "die", "puzzle cube", "salt shaker", "cream jar",

@@ -55,13 +55,13 @@ def grasps(
     from .sampling import is_labelled, label_bundle
 
     if not bundles:
-        raise InputError("Name at least one bundle to label.")
+        raise InputError("Specify at least one bundle to label.")
     terms = GraspTerms(count, trials, directions, seed)
     found = [*dict.fromkeys(path for wanted in bundles for path in assets_cache.find(wanted))]
     if picture is not None:
         check_target(picture, "--picture")
         if len(found) > 1:
-            raise InputError(f"--picture needs exactly one bundle, got {len(found)}.")
+            raise InputError(f"--picture requires exactly one bundle, got {len(found)}.")
     waiting = [path for path in found if again or not is_labelled(path, terms)]
     if len(waiting) < len(found):
         print(f"{len(found) - len(waiting)} of {len(found)} bundles are already labelled.")

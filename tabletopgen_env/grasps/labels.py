@@ -96,8 +96,9 @@ class GraspLabels:
             array = np.array(getattr(self, name), np.float64)
             array.setflags(write=False)
             object.__setattr__(self, name, array)
-            if array.shape != ((len(self), side) if side else (len(self),)):
-                raise InputError(f"GraspLabels.{name} has shape {array.shape}.")
+            shape = (len(self), side) if side else (len(self),)
+            if array.shape != shape:
+                raise InputError(f"GraspLabels.{name} must have shape {shape}, got {array.shape}.")
             if not np.isfinite(array).all():
                 raise InputError(f"GraspLabels.{name} must be finite.")
         stroke = 2 * franka.FINGER_STROKE + 1e-6
@@ -167,7 +168,7 @@ def read_file(path: str | Path) -> GraspFile | None:
     try:
         payload = parse_object(raw, "It", BundleError, max_bytes=_MAX_FILE, max_depth=_DEPTH)
         if check_type(payload.get("schema"), int) != SCHEMA:
-            raise ValueError(f"it is of schema {payload['schema']}, not {SCHEMA}")
+            raise ValueError(f"its schema is {payload['schema']}, not {SCHEMA}")
         found = _decode_file(payload)
     except (ValueError, TypeError, KeyError, BundleError, InputError) as error:
         raise BundleError(
@@ -213,7 +214,7 @@ def decode_labels(entry: object) -> GraspLabels:
     """
     columns = check_type(entry, dict)
     if {*columns} != {*_COLUMNS}:
-        raise ValueError(f"an object has the columns {sorted(columns)[:8]}")
+        raise ValueError(f"an object has missing or unexpected columns: {sorted(columns)[:8]}")
     if len(check_type(columns["width"], list)) > MOST_GRASPS:
         raise ValueError(f"an object has more than {MOST_GRASPS} grasps")
     return GraspLabels(**{name: _decode_column(columns[name], _COLUMNS[name]) for name in columns})

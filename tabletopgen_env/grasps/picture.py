@@ -72,6 +72,6 @@ def _bar(start: list[float], end: list[float]) -> Float[np.ndarray, "8 3"]:
 
 def _caption(name: str, labels: GraspLabels) -> str:
     if not len(labels):
-        return f"{name}: no grasp"
+        return f"{name}: no grasps"
     good = int((labels.quality >= 0.8).sum())
     return f"{name}: {good} of {len(labels)} hold in 80 % of trials"

@@ -118,7 +118,7 @@ def label_bundle(
         SceneError: an object cannot be compiled, or a process ended abruptly.
         StorageError: the bundle is not writable.
     """
-    require_number("Labelling needs workers", pool.workers, minimum=1, maximum=1024, integer=True)
+    require_number("workers", pool.workers, minimum=1, maximum=1024, integer=True)
     folder = Path(path)
     assets_cache.check_own(folder)
     scene, fingerprint = load(folder), load_fingerprint(folder)

@@ -112,8 +112,8 @@ def train(
 
     if steps is not None and chosen.algorithm == "clone":
         raise InputError(
-            f"{chosen.name} has no --steps: its length is set by its rounds; use --set "
-            "cloning.rounds=4, for example."
+            f"--steps does not apply to {chosen.name}, whose length is set by its rounds; use, "
+            "for example, --set cloning.rounds=4."
         )
     given = {"scenes": _one(scenes), "held_out": _one(held_out), "steps": steps}
     chosen = dataclasses.replace(chosen, **{k: v for k, v in given.items() if v not in (None, ())})
@@ -163,11 +163,11 @@ def enjoy(
             own files.
         recipe: Recipe of a zip file that is outside its run's folder.
     """
-    require_number("enjoy needs --episodes", episodes, minimum=1, integer=True)
+    require_number("--episodes", episodes, minimum=1, integer=True)
     require_seed(seed)
     if render and video_strip:
         raise InputError("Choose --render or --video-strip, not both.")
-    require_number("enjoy needs --workers", pool.workers, minimum=1, maximum=1024, integer=True)
+    require_number("--workers", pool.workers, minimum=1, maximum=1024, integer=True)
     apart = pool.workers > 1 or pool.ray is not None
     if apart and (render or video_strip):
         raise InputError(
@@ -215,7 +215,7 @@ def plot(
             with expert advice), or hours, including evaluations.
     """
     if not runs:
-        raise InputError("Give the folder of at least one run to plot.")
+        raise InputError("Specify the folder of at least one run to plot.")
     check_target(out)
     need_sb3()
     from generator.io.pictures import write_picture

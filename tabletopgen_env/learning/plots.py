@@ -60,7 +60,7 @@ def bands(runs: Sequence[Run], by: By = "steps") -> dict[str, Band]:
     for name, run in zip(names, own, strict=True):
         rows = run.rows()
         if not rows:
-            raise InputError(f"{run.path} has no evaluation yet.")
+            raise InputError(f"{run.path} has no evaluations yet.")
         at = [float(r.steps) if by == "steps" else r.seconds / 3600 for r in rows]
         curve = (at, [r.solved / r.episodes for r in rows])
         curves.setdefault(name, []).append(curve)

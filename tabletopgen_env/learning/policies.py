@@ -300,7 +300,7 @@ def _card(notes: Mapping[str, str]) -> tuple[Card, list[float]]:
     _check_printable(payload)
     version = payload.pop("format", None)
     if type(version) is not int or version != FORMAT:
-        raise ValueError(f"its version is {version!r}, this package reads version {FORMAT}")
+        raise ValueError(f"its version is {version!r}, but this package reads version {FORMAT}")
     if set(payload) != {*(f.name for f in fields(Card)), "answers"}:
         raise ValueError(f"its card has unexpected keys: {', '.join(sorted(payload))}")
     inputs = {check_type(k, str): _shape(v) for k, v in check_type(payload["inputs"], dict).items()}
@@ -364,7 +364,7 @@ def _validation(payload: dict[str, Any]) -> dict[str, Any]:
 def _check_printable(value: Any) -> None:
     """Raise InputError for strings with control characters."""
     if isinstance(value, str) and not value.isprintable():
-        raise InputError(f"The texts of a policy's card must be printable, got {value!r}.")
+        raise InputError(f"The strings of a policy's card must be printable, got {value!r}.")
     if isinstance(value, dict):
         value = [*value, *value.values()]
     if isinstance(value, list | tuple):

@@ -65,8 +65,8 @@ class Network:
         return self.extractor in ("look", "sight")
 
     def __post_init__(self) -> None:
-        require_known(self.extractor, get_args(Extractor), "Network has no extractor")
-        require_known(self.activation, get_args(Activation), "Network has no activation")
+        require_known(self.extractor, get_args(Extractor), "Unknown Network.extractor")
+        require_known(self.activation, get_args(Activation), "Unknown Network.activation")
         require(self, "width", minimum=1, maximum=1024, integer=True)
         sizes = self.layers if isinstance(self.layers, tuple) else ()
         if not (0 < len(sizes) <= 8 and all(type(s) is int and 0 < s <= 4096 for s in sizes)):
@@ -130,8 +130,8 @@ class Recipe:
     batch: Mapping[str, Any] | None = None
 
     def __post_init__(self) -> None:
-        require_known(self.task, NAMES, "Recipe has no task")
-        require_known(self.algorithm, get_args(Algorithm), "Recipe has no algorithm")
+        require_known(self.task, NAMES, "Unknown Recipe.task")
+        require_known(self.algorithm, get_args(Algorithm), "Unknown Recipe.algorithm")
         require(self, "steps", "envs", minimum=1, integer=True)
         if self.processes is not None:
             require(self, "processes", minimum=1, integer=True)
@@ -141,7 +141,7 @@ class Recipe:
             _check_scenes(self.name, side, getattr(self, side))
         known = env_keywords()
         for key in self.env:
-            require_known(key, known, f"{self.name}: an environment has no")
+            require_known(key, known, f"{self.name}: an environment has no setting")
         self._check_together()
 
     @property
@@ -176,11 +176,11 @@ class Recipe:
              "demonstrations need the replay buffer of SAC or TD3"),
             (self.cloning is not None and self.algorithm not in ("sac", "clone"),
              "only SAC's actor can be cloned"),
-            (self.algorithm == "clone" and self.cloning is None, "'clone' needs the table cloning"),
+            (self.algorithm == "clone" and self.cloning is None, "'clone' needs a [cloning] table"),
             (self.batch is not None and self.algorithm != "ppo-batch",
              "only 'ppo-batch' trains on a batch"),
             (self.batch is not None and self.processes is not None,
-             "a batch has no processes; remove one of the two settings"),
+             "batch and processes cannot be combined; remove one of them"),
             (self.cloning is not None
              and self.observation != ("pixels+proprio" if sees else "state"),
              "cloning needs observation='state', or 'pixels+proprio' for the extractor 'sight'"),
@@ -232,7 +232,7 @@ def recipe(name: str, changes: Iterable[str] = ()) -> Recipe:
             raise InputError(
                 f"Unknown recipe {name!r}."
                 + choices(name, shipped)
-                + (" For your own recipe, give the path of a TOML file.")
+                + (" For your own recipe, pass the path of a TOML file.")
             )
         payload = shipped[name]
     payload = _merge({"env": {"randomization": STARTS}}, payload)
@@ -251,10 +251,10 @@ def recipe_of(payload: Mapping[str, Any]) -> Recipe:
     name = printable(payload.get("name", "recipe"), "A recipe's name", InputError)
     known = {f.name for f in fields(Recipe)}
     for key in payload:
-        require_known(key, known, f"{name}: a recipe has no")
+        require_known(key, known, f"{name}: a recipe has no setting")
     for key in ("task", "algorithm"):
         if key not in payload:
-            raise InputError(f"{name}: a recipe needs {key!r}.")
+            raise InputError(f"{name}: the setting {key!r} is missing.")
     values: dict[str, Any] = {**payload, "name": name}
     for key in ("env", "options", "cloning", "batch", "network"):
         if not isinstance(values.get(key, {}), Mapping | None):
@@ -281,7 +281,7 @@ def network_of(payload: Mapping[str, Any], name: str) -> Network:
     """
     known = {f.name for f in fields(Network)}
     for key in payload:
-        require_known(key, known, f"{name}: a network has no")
+        require_known(key, known, f"{name}: a network has no setting")
     values = dict(payload)
     if isinstance(values.get("layers"), list):
         values["layers"] = tuple(values["layers"])
@@ -291,7 +291,7 @@ def network_of(payload: Mapping[str, Any], name: str) -> Network:
 def _check_scenes(name: str, side: str, value: Any) -> None:
     several = as_texts(value)
     if not several or not all(isinstance(s, str) and s for s in several):
-        raise InputError(f"{name}: {side} must be a text or a list of texts, got {value!r}.")
+        raise InputError(f"{name}: {side} must be a string or a list of strings, got {value!r}.")
 
 
 def _read(path: Path) -> dict[str, Any]:
@@ -323,7 +323,8 @@ def _change(text: str) -> dict[str, Any]:
             return _toml(f"{key} = {json.dumps(value.strip())}")
     except ValueError as error:
         raise InputError(
-            f"A change must be 'key=value' with a TOML value, got {text!r} ({error})."
+            "A change to a recipe must have the form 'key=value' with a TOML value, got "
+            f"{text!r} ({error})."
         ) from error
 
 

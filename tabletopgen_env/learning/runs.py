@@ -184,10 +184,10 @@ def begin(path: Path, recipe: Recipe, seed: int) -> Run:
     """
     if (path / _RECIPE).exists():
         raise InputError(
-            f"{path} already holds a run: continue with --resume, or choose another --out."
+            f"{path} already contains a run: continue with --resume, or choose another --out."
         )
     if path.exists() and (not path.is_dir() or any(path.iterdir())):
-        raise InputError(f"{path} already holds other files; choose another --out.")
+        raise InputError(f"{path} already contains other files; choose another --out.")
     there = path.exists()
     try:
         path.mkdir(parents=True, exist_ok=True)
@@ -232,7 +232,9 @@ def kept_policy(path: Path) -> Path:
     for file in (BEST, LATEST):
         if (path / file).is_file():
             return path / file
-    raise InputError(f"The folder {str(path)!r} holds no policy yet, neither {BEST} nor {LATEST}.")
+    raise InputError(
+        f"The folder {str(path)!r} contains no policy yet: neither {BEST} nor {LATEST} exists."
+    )
 
 
 def read_rows(path: Path) -> list[EvaluationRow]:
@@ -258,7 +260,7 @@ def _row(cells: Mapping[str, str]) -> EvaluationRow:
         int(cells["solved"]), float(cells["reward"]), float(cells["length"]),
     )  # fmt: skip
     if not all(math.isfinite(v) for v in (row.seconds, row.reward, row.length)):
-        raise ValueError("a number is not finite")
+        raise ValueError("its numbers must be finite")
     if not (0 <= row.steps < _MOST_STEPS and 0 <= row.solved <= row.episodes and row.episodes):
         raise ValueError(
             f"invalid counts: {row.solved} of {row.episodes} episodes after {row.steps} steps"

@@ -151,7 +151,7 @@ def new_model(recipe: Recipe, env: Any, seed: int) -> BaseAlgorithm:
         require_known(key, known, f"{recipe.name}: {kind.__name__} has no option")
     noise = options.pop("action_noise", None)
     if noise is not None:
-        require_number(f"{recipe.name} needs options.action_noise", noise, minimum=0)
+        require_number(f"{recipe.name}: options.action_noise", noise, minimum=0)
         size = env.action_space.shape
         options["action_noise"] = NormalActionNoise(np.zeros(size), np.full(size, float(noise)))
     if recipe.algorithm == "clone":
@@ -181,9 +181,7 @@ def blank_model(recipe: Recipe, like: gym.Env[Any, Any]) -> BaseAlgorithm:
     count = 1 if recipe.algorithm == "clone" else recipe.envs
     if recipe.algorithm in ("sac", "td3"):
         size = recipe.options.get("buffer_size", count)
-        require_number(
-            f"{recipe.name} needs options.buffer_size", size, minimum=count, integer=True
-        )
+        require_number(f"{recipe.name}: options.buffer_size", size, minimum=count, integer=True)
         recipe = replace(recipe, options={**recipe.options, "buffer_size": count})
     blanks = [lambda: _Blank(like)] * count
     return new_model(recipe, DummyVecEnv(blanks), 0)  # pyright: ignore[reportArgumentType]
@@ -247,7 +245,7 @@ def _check_start(recipe: Recipe) -> None:
     limit = spec_of(recipe.task).max_episode_steps or 0
     first = limit * recipe.envs
     starts = recipe.options.get("learning_starts", 100)
-    require_number(f"{recipe.name} needs options.learning_starts", starts, minimum=0, integer=True)
+    require_number(f"{recipe.name}: options.learning_starts", starts, minimum=0, integer=True)
     if not recipe.demonstrations and starts <= first:
         raise InputError(
             f"{recipe.name}: with hindsight, learning_starts must exceed {first}, the steps of "

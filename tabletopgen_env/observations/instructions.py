@@ -30,10 +30,10 @@ from jaxtyping import Float, Int
 from ..rendering.config import InstructionKind
 
 MOST_CHARACTERS, MOST_TOKENS, VOCABULARY, EMBEDDING_SIZE = 256, 32, 4096, 64
-"""Maximum characters of a text, tokens in a row, number of token values, and embedding size."""
+"""Maximum characters of an instruction, tokens per row, token values, and embedding size."""
 
 CHARACTERS = string.ascii_letters + string.digits + string.punctuation + " "
-"""The permitted characters of a text."""
+"""The permitted characters of an instruction."""
 
 _WORDS = re.compile(r"[a-z0-9]+")
 _PART = 3  # letters
@@ -63,9 +63,9 @@ class InstructionText(spaces.Text):
             return
         self._warned = True
         warnings.warn(
-            "The observation has the instruction as text (spaces.Text), which Stable-Baselines3 "
-            "cannot read: for its algorithms, make the environment with instruction='embedding', "
-            "'tokens' or 'none'; info['instruction'] has the text.",
+            "The observation contains the instruction as a string (spaces.Text), which "
+            "Stable-Baselines3 cannot read: for its algorithms, create the environment with "
+            "instruction='embedding', 'tokens' or 'none'; info['instruction'] has the string.",
             stacklevel=3,
         )
 

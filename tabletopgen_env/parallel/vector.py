@@ -56,8 +56,7 @@ class Processes:
     together: bool = False
 
     def __post_init__(self) -> None:
-        needs = "A vector environment needs processes"
-        require_number(needs, self.count, minimum=1, integer=True)
+        require_number("processes", self.count, minimum=1, integer=True)
 
 
 class TabletopVectorEnv(VectorEnv[Any, Any, Any]):
@@ -123,8 +122,7 @@ class TabletopVectorEnv(VectorEnv[Any, Any, Any]):
         }  # fmt: skip
         for name, count in counts.items():
             if count is not None or name == "num_envs":
-                needs = f"A vector environment needs {name}"
-                require_number(needs, count, minimum=1, integer=True)
+                require_number(name, count, minimum=1, integer=True)
         if None not in (threads, shards):
             raise InputError(
                 "A vector environment uses either threads or processes; set only one of "
@@ -240,7 +238,7 @@ class TabletopVectorEnv(VectorEnv[Any, Any, Any]):
             values = [values] * self.num_envs
         if len(values) != self.num_envs:
             raise InputError(
-                f"set_attr needs one value for each of the {self.num_envs} slots, got "
+                f"set_attr requires one value for each of the {self.num_envs} slots, got "
                 f"{len(values)}."
             )
         with self._running() as runner:
@@ -258,7 +256,7 @@ class TabletopVectorEnv(VectorEnv[Any, Any, Any]):
         """
         chosen = list(range(self.num_envs) if slots is None else slots)
         if wrong := [k for k in chosen if k not in range(self.num_envs)]:
-            raise InputError(f"Slots must be 0 to {self.num_envs - 1}, got {wrong}.")
+            raise InputError(f"Slots must be from 0 to {self.num_envs - 1}, got {wrong}.")
         with self._running() as runner:
             return runner.visit(dict.fromkeys(chosen, work))
 

@@ -158,7 +158,7 @@ def _attempt(
     except SceneError as error:
         return error
     if shown is None:
-        return SceneError(f"the expert has no plan for {infos[0]['instruction']!r}")
+        return SceneError(f"the expert found no plan for {infos[0]['instruction']!r}")
     if not (shown.solved or config.keep_failures):
         return SceneError(f"the expert did not solve {shown.instruction!r}")
     digest = env.get_wrapper_attr("world").digest

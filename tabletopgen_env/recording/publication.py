@@ -60,7 +60,7 @@ def publish_in_parts(target: Path, key: Mapping[str, Any], resume: bool) -> Iter
     with storing(target):
         target.parent.mkdir(parents=True, exist_ok=True)
         if part.is_symlink():
-            raise InputError(f"{part} is a symbolic link. Remove it, or choose another place.")
+            raise InputError(f"{part} is a symbolic link. Remove it, or choose another path.")
         if part.is_dir() and not resume:
             raise InputError(
                 f"An interrupted recording to {target} exists. Continue it with --resume, or "
@@ -79,7 +79,7 @@ def publish_in_parts(target: Path, key: Mapping[str, Any], resume: bool) -> Iter
                 shutil.rmtree(part, ignore_errors=True)
         except Timeout as error:
             raise InputError(
-                f"Another process is recording to {target}. Wait for it, or choose another place."
+                f"Another process is recording to {target}. Wait for it, or choose another path."
             ) from error
 
 
@@ -88,7 +88,7 @@ def _claim(part: Path, key: Mapping[str, Any]) -> None:
     wanted = json.loads(json.dumps(key))
     path = part / _KEY
     if not path.is_file():
-        write_whole(path, json.dumps(wanted, indent=1), "The recording", "Choose another place.")
+        write_whole(path, json.dumps(wanted, indent=1), "The recording", "Choose another path.")
         return
     raw = read_regular(path, "The interrupted recording", StorageError, max_bytes=_MOST_BYTES)
     found = parse_object(raw, f"The interrupted recording {str(path)!r}", StorageError)
@@ -99,8 +99,8 @@ def _claim(part: Path, key: Mapping[str, Any]) -> None:
     ]
     if other:
         raise InputError(
-            f"The interrupted recording in {part} has other settings: {'; '.join(other)}. Use "
-            "the same settings, or remove it."
+            f"The interrupted recording in {part} has different settings: {'; '.join(other)}. Use "
+            "the same settings, or remove the recording."
         )
 
 
@@ -115,9 +115,7 @@ def _drop_if_empty(part: Path) -> None:
 
 def _appear(made: Path, target: Path) -> None:
     if os.path.lexists(target):
-        raise InputError(
-            f"{target} was created by another program meanwhile. Choose another place."
-        )
+        raise InputError(f"{target} was created by another process meanwhile. Choose another path.")
     made.rename(target)
 
 

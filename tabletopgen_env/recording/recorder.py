@@ -65,7 +65,7 @@ def record(
             unexpectedly.
         StorageError: a file cannot be written.
     """
-    require_number("record needs workers", workers, minimum=1, integer=True)
+    require_number("workers", workers, minimum=1, integer=True)
     target = _check(config, out, format, resume, lerobot)
     env = config.environment()
     try:
@@ -141,8 +141,8 @@ def _check(
     check_installed(format, lerobot)
     if resume and format not in RESUMABLE:
         raise InputError(
-            f"A recording in the format {format!r} cannot be resumed, only one in "
-            f"{', '.join(RESUMABLE)}."
+            f"A recording in the format {format!r} cannot be resumed; only "
+            f"{', '.join(RESUMABLE)} can."
         )
     return _target(config, out, format)
 
@@ -227,6 +227,6 @@ def _target(config: RecordConfig, out: str | Path | None, format: Format) -> Pat
                 f"'{config.name.lower()}-v0'."
             ) from error
     if os.path.lexists(target):
-        raise InputError(f"{target} already exists. Remove it, or choose another place.")
+        raise InputError(f"{target} already exists. Remove it, or choose another path.")
     check_folder(target.parent)
     return target

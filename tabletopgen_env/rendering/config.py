@@ -110,8 +110,9 @@ class ObservationConfig:
             )
         if self.looks and self.mode == "pixels+proprio":
             raise InputError(
-                "geometry='height_map' shows hidden surfaces, and 'pixels+proprio' has only "
-                "inputs of a real robot; use 'pixels+state', or kinds with 'depth'."
+                "geometry='height_map' shows hidden surfaces, which 'pixels+proprio', limited to "
+                "the inputs of a real robot, cannot include; use 'pixels+state', or kinds with "
+                "'depth'."
             )
         if self.grasp_hint and self.mode in ("pixels", "pixels+proprio", "point_cloud"):
             raise InputError(
@@ -130,7 +131,7 @@ class ObservationConfig:
         if self.instruction != "none" and self.is_flat:
             raise InputError(
                 f"instruction={self.instruction!r} requires a mode with pictures or points, not "
-                f"{self.mode!r}; info['instruction'] has the text."
+                f"{self.mode!r}; info['instruction'] has the string."
             )
         if self.target_mark != "none" and not self.mode.startswith("pixels"):
             raise InputError(
@@ -208,8 +209,8 @@ def _picture_size(name: str, size: int | tuple[int, int], maximum: int) -> tuple
     sizes = tuple(size) if isinstance(size, Iterable) else (size, size)
     if len(sizes) != 2 or not all(_is_whole(k, _SMALLEST, maximum) for k in sizes):
         raise InputError(
-            f"{name} must be between {_SMALLEST} and {maximum} pixels, one number or "
-            f"(height, width), got {size!r}."
+            f"{name} must be one number or (height, width), between {_SMALLEST} and {maximum} "
+            f"pixels, got {size!r}."
         )
     return int(sizes[0]), int(sizes[1])
 
@@ -222,7 +223,7 @@ def _some(what: str, wanted: Any, known: Collection[str]) -> tuple[str, ...]:
         _check_name(what, name, known)
     if not names or len(set(names)) < len(names):
         raise InputError(
-            f"An observation needs at least one {what}, each at most once, got {names}."
+            f"An observation must have at least one {what}, without repetition, got {names}."
             + choices("", known)
         )
     return names
@@ -239,7 +240,7 @@ def _read_cameras(
             _check_name("camera", name, _CAMERAS)
         if set(size) != set(names):
             raise InputError(
-                f"image_size needs a size for each of the cameras {', '.join(names)}, got "
+                f"image_size must have a size for each of the cameras {', '.join(names)}, got "
                 f"{', '.join(map(str, size)) or 'none'}."
             )
         return names, {n: _picture_size("image_size", size[n], _LARGEST) for n in names}

@@ -157,7 +157,7 @@ class GlDrawer(Drawer):
         import mujoco
 
         if self._gl is None:
-            raise InputError("This environment is closed; make a new one to render.")
+            raise InputError("This environment is closed; create a new one to render.")
         if self._process != os.getpid():
             raise BackendError(_FORKED)
         self._gl.make_current()

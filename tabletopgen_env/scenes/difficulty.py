@@ -31,7 +31,7 @@ DEEP = 2
 """Number of objects below an object at which the stacking term reaches 1."""
 
 FULL = 0.35
-"""Covered share of the tabletop at which the clutter term reaches 1."""
+"""Covered fraction of the tabletop at which the clutter term reaches 1."""
 
 FREE = 0.12
 """Gap to the nearest neighbour, metres, above which the hand is unobstructed."""

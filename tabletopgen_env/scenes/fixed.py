@@ -73,7 +73,7 @@ class FixedScenes:
     def __post_init__(self) -> None:
         self.refs = tuple(self.refs)
         if not self.refs:
-            raise InputError("A scene source needs at least one scene; the list is empty.")
+            raise InputError("The list of scenes must not be empty.")
 
     def __len__(self) -> int:
         return len(self.refs)
@@ -112,7 +112,7 @@ class FixedScenes:
         kept = tuple(ref for ref in self.refs if admits(rule, ref))
         if not kept:
             raise InputError(
-                f"None of the {len(self)} scenes belongs to {rule}. Choose another share or "
-                "other categories, or pass more scenes."
+                f"None of the {len(self)} scenes belongs to {rule}. Choose another fraction "
+                "(share) or other categories, or pass more scenes."
             )
         return FixedScenes(kept)

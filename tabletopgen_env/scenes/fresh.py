@@ -44,8 +44,8 @@ class FreshScenes:
             texts = (given,) if isinstance(given, str) else tuple(given)
             if not texts or not all(isinstance(t, str) and t.strip() for t in texts):
                 raise InputError(
-                    "FreshScenes needs one or more non-empty prompts, or a SceneDistribution, "
-                    f"got {given!r}. An example: FreshScenes('an office desk')."
+                    "FreshScenes requires one or more non-empty prompts, or a SceneDistribution, "
+                    f"got {given!r}. Use, for example, FreshScenes('an office desk')."
                 )
             object.__setattr__(self, "prompts", texts)
         if not 1 <= self.variants <= MOST_SEEDS:
@@ -78,8 +78,8 @@ class FreshScenes:
                 return recipe
         sides = " and ".join(str(rule) for rule in self.rules)
         raise SceneError(
-            f"None of {DRAWS} drawn scenes belongs to {sides}. Choose another share or other "
-            f"categories, other prompts, or more variants than {self.variants}."
+            f"None of {DRAWS} drawn scenes belongs to {sides}. Choose another fraction (share), "
+            f"other categories, other prompts, or more variants than {self.variants}."
         )
 
     def draw(self, rng: np.random.Generator) -> SceneRef:

@@ -76,7 +76,7 @@ def graded_of(scenes: str) -> str | None:
         return FRESH
     if not inner.strip() or inner.strip().partition(":")[0] == CURRICULUM:
         raise InputError(
-            f"scenes={scenes!r} names no scenes for the curriculum. Pass, for example, "
+            f"scenes={scenes!r} does not specify the curriculum's scenes. Pass, for example, "
             f"'{CURRICULUM}:{STARTER}:train', '{CURRICULUM}:{FRESH}:an office desk', or just "
             f"{CURRICULUM!r}."
         )
@@ -89,7 +89,7 @@ def _find(item: str | Path | Scene) -> list[SceneRef]:
         return [HeldRef(item)]
     if not isinstance(item, str | Path):
         raise InputError(
-            f"A list of scenes cannot hold an item of type {type(item).__name__}: {item!r}."
+            f"A list of scenes cannot contain an item of type {type(item).__name__}: {item!r}."
         )
     if on_demand(item) or (isinstance(item, str) and graded_of(item)):
         raise InputError(

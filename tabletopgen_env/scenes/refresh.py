@@ -85,7 +85,7 @@ class RefreshingScenes:
             require_seed(self.seed)
         if (self.per_minute is None) == (self.every_resets is None):
             raise InputError(
-                "RefreshingScenes needs exactly one of per_minute and every_resets, got "
+                "RefreshingScenes requires exactly one of per_minute and every_resets, got "
                 f"{self.per_minute} and {self.every_resets}"
                 + (" with synchronous=True." if self.synchronous else ".")
             )
@@ -94,7 +94,7 @@ class RefreshingScenes:
         if self.every_resets is not None and self.every_resets < 1:
             raise InputError(f"every_resets must be at least 1, got {self.every_resets}.")
         if self.synchronous and self.every_resets is None:
-            raise InputError("synchronous=True needs every_resets, not per_minute.")
+            raise InputError("synchronous=True requires every_resets instead of per_minute.")
         if self.initial is not None and not isinstance(self.initial, FixedScenes):
             self.initial = fixed_scenes(self.initial)
 

@@ -49,10 +49,12 @@ class DifficultySampler:
     def __post_init__(self) -> None:
         self.edges = tuple(float(edge) for edge in self.edges)
         if len(self.edges) < 2 or not (np.diff(self.edges) > 0).all():
-            raise InputError(f"A curriculum needs at least two increasing edges, got {self.edges}.")
+            raise InputError(
+                f"A curriculum must have at least two increasing edges, got {self.edges}."
+            )
         if not 0 < self.explore <= 1 or not self.halflife > 0:
             raise InputError(
-                "A curriculum needs explore in (0, 1] and a positive halflife, got "
+                "A curriculum must have explore in (0, 1] and a positive halflife, got "
                 f"{self.explore} and {self.halflife}."
             )
         self.counts = np.zeros((len(self.edges) - 1, 2))

@@ -33,7 +33,7 @@ By = Literal["digest", "category"]
 """The property that determines the side of a scene."""
 
 SHARE = 0.2
-"""Default share of scenes held out by digest."""
+"""Default fraction of scenes held out by digest."""
 
 DRAWS = 200
 """Maximum number of draws from a user's own source to find one scene on the required side."""
@@ -60,18 +60,18 @@ class SplitRule:
     categories: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
-        require_known(self.side, get_args(Side), "A split has no side")
-        require_known(self.by, get_args(By), "A split has no by")
+        require_known(self.side, get_args(Side), "Unknown Split.side")
+        require_known(self.by, get_args(By), "Unknown Split.by")
         if not 0 < self.share < 1:
-            raise InputError(f"The share of a split must be in (0, 1), got {self.share}.")
+            raise InputError(f"Split.share must be in (0, 1), got {self.share}.")
         if isinstance(self.categories, str):
             raise InputError(
-                f"categories must be a tuple of names, got the text {self.categories!r}."
+                f"Split.categories must be a tuple of names, not the string {self.categories!r}."
             )
         if bool(self.categories) != (self.by == "category"):
             raise InputError(
-                f"categories and by='category' require each other: by is {self.by!r}, "
-                f"categories are {tuple(self.categories)}."
+                "Split.categories must be given if, and only if, by is 'category', got "
+                f"by={self.by!r} and categories={tuple(self.categories)}."
             )
         object.__setattr__(self, "categories", tuple(sorted({_key(c) for c in self.categories})))
 
@@ -178,8 +178,8 @@ class AdmittedScenes:
             if self._known.of(ref, partial(admits, self.rule)):
                 return ref
         raise SceneError(
-            f"None of {DRAWS} drawn scenes belongs to {self.rule}. Choose another share or "
-            "other categories, or add scenes to the source."
+            f"None of {DRAWS} drawn scenes belongs to {self.rule}. Choose another fraction "
+            "(share) or other categories, or add scenes to the source."
         )
 
     def record(self, ref: SceneRef, success: bool) -> None:

@@ -140,11 +140,11 @@ def _read_group(group: str, rest: dict[str, Any]) -> Any:
         return kind(**{names[name]: value for name, value in flat.items()})
     if flat:
         raise InputError(
-            f"{group} is given as a whole, so {', '.join(flat)} cannot also be given. Set it in "
-            f"the {kind.__name__}."
+            f"{group} is given, so {', '.join(flat)} cannot be given separately. Set them in the "
+            f"{kind.__name__}."
         )
     if isinstance(whole, kind):
         return whole
     for name in whole:
-        require_known(name, names.values(), f"{kind.__name__} has no")
+        require_known(name, names.values(), f"{kind.__name__} has no setting")
     return kind(**whole)

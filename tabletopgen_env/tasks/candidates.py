@@ -168,7 +168,7 @@ def given_point(world: World, goal: Iterable[float]) -> Float[np.ndarray, "2"]:
     Raises:
         InputError: the value is not a pair of finite numbers, or not on the table.
     """
-    xy = coordinates(goal, 2, "A goal spot is two finite numbers (x, y)")
+    xy = coordinates(goal, 2, "A goal spot must be two finite numbers (x, y)")
     if inside_margin(xy, world.scene.table.outline)[0] < 0:
         raise InputError(f"The goal spot {xy.tolist()} is not on the table.")
     return xy
@@ -215,7 +215,7 @@ def in_stead(world: World, obj: Object, other: Object) -> OnSpot:
 def given_object(world: World, goal: Choice, use: str, wanted: str) -> str | None:
     """Return the object that a goal option names, or None without the option.
 
-    ``use`` completes the error for unknown objects ("to put things on"), ``wanted`` the one for
+    ``use`` completes the error for unknown objects ("to put objects on"), ``wanted`` the one for
     other values ("Stack must be an object's name").
 
     Raises:

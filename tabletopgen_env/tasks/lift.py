@@ -28,7 +28,7 @@ class Lift(Task):
     ) -> Episode:
         """Draw a target, or use the given one; see ``Task.sample``."""
         if goal is not None:
-            raise InputError("Lift has no goal to choose; leave the option 'goal' out.")
+            raise InputError("Lift has no goal to choose; omit the option 'goal'.")
 
         def make(obj: Object) -> Episode:
             return episode(world, (Raised(obj.name, world.position(obj.name)),))

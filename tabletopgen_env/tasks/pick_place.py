@@ -39,7 +39,7 @@ class PickPlace(Task):
         """Draw a target and a goal, or use the given ones; see ``Task.sample``."""
         reasons, wanted = liftable(world), target_of(goal)
         if wanted is not None:
-            check_known(world, wanted, "to put things into")
+            check_known(world, wanted, "to put objects into")
             for obj in world.scene.objects:
                 if not reasons[obj.name] and wanted not in {o.name for o in containers(world, obj)}:
                     reasons[obj.name] = f"does not fit into {wanted}"

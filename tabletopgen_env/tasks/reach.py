@@ -35,7 +35,7 @@ class Reach(Task):
     ) -> Episode:
         """Draw a point, or use the given one; see ``Task.sample``."""
         if target is not None:
-            raise InputError("Reach has no target; leave the option 'target' out.")
+            raise InputError("Reach has no target; omit the option 'target'.")
         wanted = "The goal of Reach must be a point (x, y, z) in the world frame"
         point = free_point(world, rng) if goal is None else coordinates(goal, 3, wanted)
         return episode(world, (Reached(point),))

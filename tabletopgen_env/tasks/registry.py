@@ -31,5 +31,5 @@ def task_named(name: str, preset: str | None = None) -> Task:
     if name == "Sequence":
         return Sequence(preset)
     if preset is not None:
-        raise InputError(f"{name} has no presets; leave 'preset' out or use 'Sequence'.")
+        raise InputError(f"{name} has no presets; omit 'preset', or use the task 'Sequence'.")
     return TASKS[name]()

@@ -136,8 +136,7 @@ class Sequence(Task):
         """Draw steps, or find the objects of the preset; see ``Task.sample``."""
         if target is not None or goal is not None:
             raise InputError(
-                "Sequence draws its steps or takes them from a preset; leave 'target' and 'goal' "
-                "out."
+                "Sequence draws its steps or takes them from a preset; omit 'target' and 'goal'."
             )
         if self.preset is None:
             return _draw(world, rng, int(rng.integers(2, self.most + 1)))

@@ -45,7 +45,7 @@ class Stack(Task):
         self, world: World, rng: np.random.Generator, target: str | None = None, goal: Choice = None
     ) -> Episode:
         """Draw a target and a support, or use the given ones; see ``Task.sample``."""
-        wanted = given_object(world, goal, "to put things on", "Stack must be an object's name")
+        wanted = given_object(world, goal, "to put objects on", "Stack must be an object's name")
 
         def make(obj: Object) -> Episode | None:
             found = list(supports(world, obj, wanted))

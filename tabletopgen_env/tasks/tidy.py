@@ -26,7 +26,7 @@ SCENES = "tidy-task-*"
 """Bundles (a glob) with a tray and small objects."""
 
 FULL = 0.45
-"""Maximum share of a container's floor that the objects may cover together."""
+"""Maximum fraction of a container's floor that the objects may cover together."""
 
 
 class Tidy(Task):
@@ -42,8 +42,8 @@ class Tidy(Task):
     ) -> Episode:
         """Draw a container, or use the given one; see ``Task.sample``."""
         if target is not None:
-            raise InputError("Tidy moves all objects that fit; leave the option 'target' out.")
-        wanted = given_object(world, goal, "to put things into", "Tidy is a container's name")
+            raise InputError("Tidy moves all objects that fit; omit the option 'target'.")
+        wanted = given_object(world, goal, "to put objects into", "Tidy must be a container's name")
         reasons = liftable(world)
         small = [o for o in world.scene.objects if reasons[o.name] is None]
         loads: dict[str, list[Object]] = {}

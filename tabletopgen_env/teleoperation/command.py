@@ -83,7 +83,7 @@ def teleop(
         steps: Maximum number of steps per episode, at 20 per second.
         lerobot: Settings of a LeRobot dataset.
     """
-    require_number("teleop needs --steps", steps, minimum=1, integer=True)
+    require_number("--steps", steps, minimum=1, integer=True)
     config = replace(config, player="human")
     config.check()
     acting, own = None, {}
@@ -204,9 +204,9 @@ def _check_left_out(config: RecordConfig, card: Card, policy: str) -> None:
     mode, geometry = (card.env.get(name) for name in ("observation", "geometry"))
     if mode not in (None, *_KEPT) or geometry not in (None, "none"):
         raise InputError(
-            f"The policy {policy} sees {mode or 'state'!r}"
+            f"The policy {policy} uses the observation {mode or 'state'!r}"
             f"{f' with {geometry!r}' if geometry else ''}, which datasets do not support. Use a "
-            f"policy that sees {', '.join(map(repr, _KEPT))}."
+            f"policy with one of {', '.join(map(repr, _KEPT))}."
         )
     usual = RecordConfig()
     decided = {name: getattr(usual, name) for name in _OF_POLICY}
@@ -218,8 +218,8 @@ def _check_left_out(config: RecordConfig, card: Card, policy: str) -> None:
     if given:
         flags = ", ".join(f"--{name.replace('_', '-')}" for name in given)
         raise InputError(
-            f"The policy {policy} performs {card.task} in an environment like that of its "
-            f"training. Leave out {flags}, or leave out the policy."
+            f"The policy {policy} determines the task ({card.task}) and the observations. Omit "
+            f"{flags}, or omit the policy."
         )
 
 

@@ -56,7 +56,7 @@ class TeleopPage:
             from websockets.sync.server import serve
         except ImportError as error:
             raise BackendError(
-                "Driving through a page needs the package websockets: pip install "
+                "Teleoperation through a page needs the package websockets: pip install "
                 "'tabletopgen[teleop]'. --device window does not need it."
             ) from error
         self._token = secrets.token_urlsafe(16)
@@ -135,7 +135,7 @@ class TeleopPage:
                 )
             return None
         if asked.path != "/":
-            return connection.respond(HTTPStatus.NOT_FOUND, "The only page is /.\n")
+            return connection.respond(HTTPStatus.NOT_FOUND, "This server has only the page /.\n")
         answer = connection.respond(HTTPStatus.OK, _PAGE.read_text(encoding="utf-8"))
         del answer.headers["Content-Type"]
         answer.headers["Content-Type"] = "text/html; charset=utf-8"
@@ -181,15 +181,15 @@ def read_input(message: str | bytes) -> HumanInput:
         payload = json.loads(message)
         keys, axes, buttons = (_list_of(payload, name) for name in ("keys", "axes", "buttons"))
         if not all(isinstance(key, str) for key in keys):
-            raise ValueError("keys that are not strings")
+            raise ValueError("its keys must be strings")
         if not all(type(b) is int and 0 <= b < _MAX_BUTTONS for b in buttons):
-            raise ValueError("buttons that are not small integers")
+            raise ValueError("its buttons must be small integers")
         given = tuple(float(axis) if type(axis) in (int, float) else np.nan for axis in axes)
         if not all(-1.0 <= axis <= 1.0 for axis in given):
-            raise ValueError("axes beyond [-1, 1]")
+            raise ValueError("its axes must be in [-1, 1]")
     except (ValueError, TypeError, KeyError, RecursionError, OverflowError) as error:
         raise InputError(
-            f"An input message needs the lists keys, axes and buttons; this one has {error}."
+            f"An input message must have the lists keys, axes and buttons: {error}."
         ) from error
     return HumanInput(known_keys(keys), given, frozenset(buttons))
 
@@ -197,5 +197,5 @@ def read_input(message: str | bytes) -> HumanInput:
 def _list_of(payload: Any, name: str) -> Sequence[Any]:
     found = payload[name] if isinstance(payload, dict) and name in payload else None
     if not isinstance(found, list) or len(found) > _MAX_HELD:
-        raise ValueError(f"no list of at most {_MAX_HELD} {name}")
+        raise ValueError(f"{name} must be a list of at most {_MAX_HELD} items")
     return found

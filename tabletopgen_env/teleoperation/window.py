@@ -37,19 +37,19 @@ class TeleopWindow:
     def __init__(self, height: int, width: int) -> None:
         if not has_display():
             raise BackendError(
-                "Driving in a window needs a display, but DISPLAY is not set. Use --device page "
-                "and a browser."
+                "Teleoperation in a window needs a display, but DISPLAY is not set. Use --device "
+                "page and a browser."
             )
         import glfw
 
         if not glfw.init():
-            raise BackendError("No window can be opened here. Use --device page, and a browser.")
+            raise BackendError("No window can be opened. Use --device page and a browser.")
         glfw.window_hint(glfw.RESIZABLE, glfw.FALSE)
         self._glfw: Any = glfw
         self._window = glfw.create_window(width, height, "tabletopgen teleop", None, None)
         if not self._window:
             glfw.terminate()
-            raise BackendError("No window can be opened here. Use --device page, and a browser.")
+            raise BackendError("No window can be opened. Use --device page and a browser.")
         self._size = height, width
 
     def read(self) -> HumanInput | None:

@@ -114,7 +114,7 @@ class WorldConfig:
             raise InputError(
                 f"robot must be a Panda (tabletopgen_env.robot.panda) or None, got {self.robot!r}."
             )
-        require_number("The environment needs cache", self.cache, minimum=1, integer=True)
+        require_number("cache", self.cache, minimum=1, integer=True)
 
     @property
     def arm(self) -> Panda:

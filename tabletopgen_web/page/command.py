@@ -42,7 +42,7 @@ def page(
     from .site import write_site
 
     if not bundles:
-        raise InputError("Name at least one bundle; `tabletopgen cache list` lists them.")
+        raise InputError("Specify at least one bundle; `tabletopgen cache list` lists them.")
     if contents.episodes < 0:
         raise InputError(f"--episodes must be at least 0, got {contents.episodes}.")
     check_folder(out.absolute().parent)

@@ -86,7 +86,7 @@ def record_play(bundle: Path, task: str, seed: int = 0, tries: int = TRIES) -> R
 
     from tabletopgen_env.learning.demonstrations.recorded import demonstrate
 
-    require_known(task, NAMES, "No task is called")
+    require_known(task, NAMES, "Unknown task")
     env = gym.make(f"tabletopgen_env:TabletopGen/{task}-v0", scenes=str(bundle), action="ee_delta")
     play = None
     try:

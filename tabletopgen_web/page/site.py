@@ -80,7 +80,7 @@ def write_site(
             put_in_place(staging, out, lambda: False)
     except OSError as error:
         raise StorageError(
-            f"The page cannot be written to {out}: {error.strerror or error}. Free space there, or "
+            f"The page cannot be written to {out}: {error.strerror or error}. Free disk space, or "
             "choose another folder."
         ) from error
     return Site(out, tuple(rows), size)
@@ -90,10 +90,10 @@ def _check(bundles: Sequence[Path], out: Path) -> None:
     names = [bundle.name for bundle in bundles]
     twice = next((name for name in names if names.count(name) > 1), None)
     if twice is not None:
-        raise InputError(f"Two bundles are named {twice!r}. Each needs a different name.")
+        raise InputError(f"Two bundles are named {twice!r}. Rename one of them.")
     if out.is_dir() and any(out.iterdir()) and not (out / _MARKER).is_file():
         raise InputError(
-            f"{out} contains something other than a page, which would be deleted. Choose a new "
+            f"{out} contains files that are not of a page and would be deleted. Choose a new "
             f"folder."
         )
     if out.exists() and not out.is_dir():

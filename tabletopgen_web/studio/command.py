@@ -55,10 +55,10 @@ def studio(
     from .server.guard import Access
     from .server.listener import bind, serve
 
-    require_number("studio needs --port", port, minimum=0, maximum=65535, integer=True)
-    require_number("studio needs --workers", workers, minimum=1, maximum=64, integer=True)
+    require_number("--port", port, minimum=0, maximum=65535, integer=True)
+    require_number("--workers", workers, minimum=1, maximum=64, integer=True)
     if not host.strip():
-        raise InputError("studio needs --host, an address of this machine.")
+        raise InputError("--host must be an address of this machine.")
     studies = _read_studies(study)
     place = StudioFolder.usual() if folder is None else StudioFolder(folder.absolute())
     static = static_folder()
@@ -97,6 +97,6 @@ def _read_studies(paths: tuple[Path, ...]) -> dict[str, StudyPage]:
         page = read_page(path, template, _POST)
         if page.study in found:
             raise InputError(f"{str(path)!r} belongs to study {page.study}, which was already "
-            f"given. Name each study once.")  # fmt: skip
+            f"given. Pass each study once.")  # fmt: skip
         found[page.study] = page
     return found

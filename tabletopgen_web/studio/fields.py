@@ -37,7 +37,7 @@ class Fields:
         """Return a string that is neither missing nor blank."""
         found = self.optional_text(name, max_length, multiline=multiline)
         if found is None:
-            raise InputError(f"{self._what} needs {name}, a string.")
+            raise InputError(f"{self._what}: {name} must be a string.")
         return found
 
     def optional_text(self, name: str, max_length: int, *, multiline: bool = False) -> str | None:
@@ -61,13 +61,13 @@ class Fields:
         found = self._get(name)
         if found is None:
             return None
-        return _check_number(found, f"{self._what} needs {name}", minimum, maximum)
+        return _check_number(found, f"{self._what}: {name}", minimum, maximum)
 
     def choice(self, name: str, known: Collection[str]) -> str:
         """Return the field's value, which must be one of the strings in ``known``."""
         found = self.optional_choice(name, known)
         if found is None:
-            raise InputError(f"{self._what} needs {name}.{choices('', known)}")
+            raise InputError(f"{self._what}: {name} is missing.{choices('', known)}")
         return found
 
     def optional_choice(self, name: str, known: Collection[str]) -> str | None:
@@ -98,7 +98,7 @@ class Fields:
             return None
         if not isinstance(found, list) or len(found) != 2:
             raise InputError(f"{name} must be a list of two numbers.")
-        first, second = (_check_number(v, f"{name} needs each", -size, size) for v in found)
+        first, second = (_check_number(v, f"each number of {name}", -size, size) for v in found)
         return first, second
 
     def end(self) -> None:
@@ -121,9 +121,9 @@ def _check_text(found: object, name: str, max_length: int, multiline: bool) -> N
         raise InputError(f"{name} contains non-printable characters.")
 
 
-def _check_number(found: object, needs: str, minimum: float, maximum: float) -> float:
+def _check_number(found: object, what: str, minimum: float, maximum: float) -> float:
     shown = found if type(found) in (int, float) else type(found).__name__
     if isinstance(shown, int) and abs(shown) > _LARGE:
         shown = math.inf
-    require_number(needs, shown, minimum=minimum, maximum=maximum)
+    require_number(what, shown, minimum=minimum, maximum=maximum)
     return float(shown)  # type: ignore[arg-type]

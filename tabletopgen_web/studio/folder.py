@@ -129,7 +129,7 @@ class StudioFolder:
     def announce(self, address: str) -> None:
         """Record the studio's address, without its token, for a second studio's error message."""
         facts = json.dumps({"process": os.getpid(), "address": address})
-        write_whole(self.root / _WHO, facts, _ADDRESS, "Free space there.")
+        write_whole(self.root / _WHO, facts, _ADDRESS, "Free disk space.")
 
     def make_token(self, study: str) -> str:
         """Return the token of a study's raters, which is constant for the lifetime of the folder.
@@ -142,7 +142,7 @@ class StudioFolder:
         path = self.root / _SECRET
         if not path.exists():
             new = secrets.token_hex(32)
-            write_whole(path, new, "The studies' secret", "Free space there.", mode=0o600)
+            write_whole(path, new, "The studies' secret", "Free disk space.", mode=0o600)
         secret = read_regular(path, "The studies' secret", StorageError, max_bytes=_MAX_BYTES)
         if len(secret) != 64:
             raise StorageError(f"{path} is damaged. Remove it; raters then need new addresses.")

@@ -144,7 +144,7 @@ def _read_generate(fields: Fields) -> GenerateSpec:
     text = fields.optional_text("text", MOST_TEXT, multiline=True)
     picture = _identifier(fields, "picture", PICTURE_ID, "an uploaded picture")
     if (text is None) == (picture is None):
-        raise InputError("generate needs either text or picture.")
+        raise InputError("generate requires either text or picture.")
     return GenerateSpec(text, picture, fields.seed(), _read_name(fields), _read_paid(fields, True))
 
 
@@ -162,7 +162,7 @@ def _read_edit(fields: Fields) -> EditSpec:
     to, turn = fields.pair("to", _FAR), fields.number("turn", -360, 360)
     seed, paid = fields.seed(), _read_paid(fields, False)
     if not WordedEdit(action, words, to, turn, seed).is_complete:
-        raise InputError(f"{action} needs {_EDITS[action]}; to and turn are only for move.")
+        raise InputError(f"{action} requires {_EDITS[action]}; only move accepts to and turn.")
     return EditSpec(scene, action, words, to, turn, seed, paid)
 
 
@@ -193,7 +193,7 @@ def _identifier(fields: Fields, name: str, shape: re.Pattern[str], what: str) ->
 def _scene(fields: Fields) -> str:
     found = _identifier(fields, "scene", SCENE_ID, "a scene")
     if found is None:
-        raise InputError("The job needs scene, the id of a scene.")
+        raise InputError("The job must have the field scene, the id of a scene.")
     return found
 
 

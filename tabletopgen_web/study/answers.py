@@ -78,11 +78,11 @@ def read_all(paths: Sequence[Path], key: StudyKey) -> tuple[list[RaterAnswers], 
     files = [file for path in paths for file in _files(path)]
     if not files:
         raise InputError(
-            "There are no answers. Pass files named answers-STUDY-RATER.json, or a folder that "
+            "No answers were found. Pass files named answers-STUDY-RATER.json, or a folder that "
             "contains them."
         )
     if len(files) > _MAX_FILES:
-        raise InputError(f"{len(files)} files of answers; the maximum is {_MAX_FILES}.")
+        raise InputError(f"There are {len(files)} files of answers; the maximum is {_MAX_FILES}.")
     left: list[Refusal] = []
     by_rater: dict[str, list[tuple[Path, RaterAnswers]]] = defaultdict(list)
     for file in dict.fromkeys(files):
@@ -108,7 +108,7 @@ def parse_answers(raw: bytes, key: StudyKey) -> RaterAnswers:
     _expect(facts.get("schema") == SCHEMA, f"it has schema {facts.get('schema')!r:.20}")
     _expect(facts.get("study") == key.study, f"it belongs to study {facts.get('study')!r:.40}")
     names = {"schema", "study", "rater", "language", "seconds", "scenes", "checks"}
-    _expect(facts.keys() == names, "it does not have the entries of answers")
+    _expect(facts.keys() == names, "it has missing or unexpected entries")
     rater, language = facts["rater"], facts["language"]
     _expect(_matches(_RATER, rater), "its rater must be 16 hexadecimal digits")
     _expect(_matches(_LANGUAGE, language), "its language is unknown")
@@ -152,7 +152,7 @@ def _once(found: Sequence[tuple[Path, RaterAnswers]], left: list[Refusal]) -> Ra
 def _scene(entry: Any, key: StudyKey) -> SceneAnswers:
     _expect(isinstance(entry, dict), "a scene is not an object")
     _expect(entry.keys() == {"scene", "seconds", "order", "ratings", "choice"},
-            "a scene has unexpected entries")  # fmt: skip
+            "a scene has missing or unexpected entries")  # fmt: skip
     code = entry["scene"]
     scene = key.scenes.get(code) if isinstance(code, str) else None
     if scene is None:
@@ -160,13 +160,14 @@ def _scene(entry: Any, key: StudyKey) -> SceneAnswers:
     _expect(is_number(entry["seconds"], maximum=_MAX_SECONDS), "a scene's seconds are out of range")
     order = _list(entry["order"], "order")
     _expect(all(isinstance(one, str) for one in order), "an order contains an invalid code")
-    _expect(sorted(order) == sorted(scene.results), f"the displayed results of {code} do not match")
+    _expect(sorted(order) == sorted(scene.results),
+            f"the displayed results of {code} do not match the study's")  # fmt: skip
     ratings = entry["ratings"]
     _expect(isinstance(ratings, dict) and ratings.keys() == scene.results.keys(),
-            f"the rated results of {code} do not match")  # fmt: skip
+            f"the rated results of {code} do not match the study's")  # fmt: skip
     choice = entry["choice"]
     _expect(isinstance(choice, str) and choice in scene.results,
-            f"the preferred result of {code} does not match")  # fmt: skip
+            f"the preferred result of {code} is not in the study")  # fmt: skip
     return SceneAnswers(
         code,
         float(entry["seconds"]),
@@ -178,8 +179,8 @@ def _scene(entry: Any, key: StudyKey) -> SceneAnswers:
 
 def _marks(marks: Any, code: str) -> tuple[int, ...]:
     _expect(isinstance(marks, dict) and marks.keys() == {*CRITERIA},
-            f"the questions for {code} do not match")  # fmt: skip
-    _expect(all(_is_level(marks[c]) for c in CRITERIA), f"a score of {code} is not 1 to 7")
+            f"the questions for {code} do not match the study's")  # fmt: skip
+    _expect(all(_is_level(marks[c]) for c in CRITERIA), f"a score of {code} is not from 1 to 7")
     return tuple(marks[criterion] for criterion in CRITERIA)
 
 
@@ -187,8 +188,9 @@ def _count_failed(checks: Sequence[Any], codes: Sequence[str], key: StudyKey) ->
     _expect(len(checks) == key.attention, f"it has {len(checks)} of {key.attention} checks")
     for check in checks:
         _expect(isinstance(check, dict) and check.keys() == {"scene", "asked", "given"},
-                "a check has unexpected entries")  # fmt: skip
-        _expect(_is_level(check["asked"]) and _is_level(check["given"]), "a check is not 1 to 7")
+                "a check has missing or unexpected entries")  # fmt: skip
+        _expect(_is_level(check["asked"]) and _is_level(check["given"]),
+                "a check is not from 1 to 7")  # fmt: skip
     scenes = [check["scene"] for check in checks]
     _expect(all(isinstance(one, str) and one in codes for one in scenes)
             and len(set(scenes)) == len(scenes), "a check belongs to another scene")  # fmt: skip

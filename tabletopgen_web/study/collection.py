@@ -86,7 +86,7 @@ def collect(
             if other is not result:
                 raise InputError(
                     f"{method} has two results for one input picture, {str(other.path)!r} and "
-                    f"{str(result.path)!r}. Remove one."
+                    f"{str(result.path)!r}. Remove one of them."
                 )
     used = [one for one in known if one.digest in placed]
     ignored += [f"{one.stem} (no method has a result)" for one in known if one not in used]
@@ -121,7 +121,7 @@ def _find(folder: Path, ignored: list[str]) -> list[FoundResult]:
             ignored.append(str(path))
     if not results:
         raise InputError(
-            f"{str(folder)!r} contains no results. Add bundles, or a picture SCENE.png for each "
+            f"{str(folder)!r} contains no results. Add bundles, or a picture SCENE.png of each "
             f"scene."
         )
     return results
@@ -207,7 +207,7 @@ def _input_of(method: str, result: FoundResult, known: Sequence[_Input]) -> _Inp
 def _check_complete(
     used: Sequence[_Input], placed: Mapping[str, Mapping[str, FoundResult]], methods: Sequence[str]
 ) -> None:
-    missing = [f"{m} has none for {one.stem}" for one in used for m in methods
+    missing = [f"{m} lacks {one.stem}" for one in used for m in methods
                if m not in placed[one.digest]]  # fmt: skip
     if missing:
         more = f", and {len(missing) - 10} more" if len(missing) > 10 else ""
@@ -217,7 +217,7 @@ def _check_complete(
             f"with different input pictures are matched by name if --inputs gives the pictures."
         )
     if len(used) > MAX_SCENES:
-        raise InputError(f"{len(used)} scenes; the maximum is {MAX_SCENES}.")
+        raise InputError(f"There are {len(used)} scenes; the maximum is {MAX_SCENES}.")
 
 
 def _draw(

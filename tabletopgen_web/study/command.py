@@ -129,7 +129,9 @@ def count_answers(
 def _folders(methods: tuple[str, ...]) -> dict[str, Path]:
     pairs = [text.partition("=") for text in methods]
     if wrong := next((name for name, equals, folder in pairs if not (equals and folder)), None):
-        raise InputError(f"{wrong!r} is not METHOD=FOLDER. An example is ours=scenes/ours.")
+        raise InputError(
+            f"{wrong!r} must have the form METHOD=FOLDER, for example ours=scenes/ours."
+        )
     check_methods(name for name, _, _ in pairs)
     return {name: Path(folder) for name, _, folder in pairs}
 

@@ -55,14 +55,14 @@ class StudyOptions:
         printable(self.title, "The title", InputError)
         require_seed(self.seed)
         if self.scenes is not None:
-            require_number("study needs scenes", self.scenes, minimum=1, integer=True)
+            require_number("--scenes", self.scenes, minimum=1, integer=True)
         if self.min_seconds is not None:
-            require_number("study needs min-seconds", self.min_seconds, minimum=0, maximum=86400)
-        require_number("study needs attention", self.attention, minimum=0, integer=True)
+            require_number("--min-seconds", self.min_seconds, minimum=0, maximum=86400)
+        require_number("--attention", self.attention, minimum=0, integer=True)
         if self.post is not None and not is_post_path(self.post):
             raise InputError(
-                f"--post {self.post!r} is not a path on the page's own server. Use a path such as "
-                "/api/studies/{study}/answers, of letters, digits and '_.~-'."
+                f"--post {self.post!r} must be a path on the page's own server, such as "
+                "/api/studies/{study}/answers, made of letters, digits and '_.~-'."
             )
 
     def scenes_of(self, available: int) -> int:
@@ -74,12 +74,12 @@ class StudyOptions:
         count = min(8, available) if self.scenes is None else self.scenes
         if count > available:
             raise InputError(
-                f"--scenes {count}: only {available} are available. Choose at most that many."
+                f"--scenes must be at most {available}, the number of scenes, got {count}."
             )
         if self.attention > count:
             raise InputError(
-                f"--attention {self.attention}: a rater sees {count} "
-                f"scene{'s' * (count != 1)}, with at most one check in each. Choose fewer."
+                f"--attention must be at most {count}, the number of scenes that a rater sees, "
+                f"got {self.attention}."
             )
         return count
 
@@ -98,7 +98,7 @@ class Drawing:
 
     def __post_init__(self) -> None:
         if not 128 <= self.side <= 2048:
-            raise InputError(f"--side {self.side}: use 128 to 2048 pixels.")
+            raise InputError(f"--side must be from 128 to 2048 pixels, got {self.side}.")
 
 
 def is_post_path(path: str) -> bool:
@@ -122,7 +122,9 @@ def check_methods(names: Iterable[str]) -> tuple[str, ...]:
             )
     folded = [name.casefold() for name in found]
     if len(set(folded)) < len(found):
-        raise InputError(f"A method occurs twice: {', '.join(found)}. Give each a distinct name.")
+        raise InputError(
+            f"Two methods have the same name: {', '.join(found)}. Choose distinct names."
+        )
     if not 2 <= len(found) <= MAX_METHODS:
         raise InputError(
             f"A study compares 2 to {MAX_METHODS} methods, got {len(found)}. Pass each as "

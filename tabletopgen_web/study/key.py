@@ -77,7 +77,7 @@ def read_key(path: Path) -> StudyKey:
 
 def _key(facts: Mapping[str, Any]) -> StudyKey:
     if facts["schema"] != SCHEMA:
-        raise ValueError(f"schema {facts['schema']!r:.20}, not {SCHEMA}")
+        raise ValueError(f"its schema is {facts['schema']!r:.20}, not {SCHEMA}")
     methods = check_methods(facts["methods"])
     counts = facts["seed"], facts["scenes_each"], facts["attention"]
     if not (type(facts["seed"]) is int and all(map(is_count, counts[1:]))):
@@ -99,7 +99,7 @@ def _scene(code: str, facts: Mapping[str, Any], methods: tuple[str, ...]) -> Key
     if not all(CODE.fullmatch(one) for one in (code, *results)):
         raise ValueError("codes must be a letter and 10 hexadecimal digits")
     if sorted(results.values()) != sorted(methods):
-        raise ValueError("each scene must have one result of each method")
+        raise ValueError("each scene must have one result for each method")
     name = printable(facts["name"], "name", InputError)
     if not re.fullmatch("[0-9a-f]{64}", facts["input_sha256"]):
         raise ValueError("input_sha256 must be 64 hexadecimal digits")

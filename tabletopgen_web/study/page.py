@@ -104,8 +104,8 @@ def _check_title(title: str, methods: Sequence[str]) -> None:
     for name in methods:
         if re.search(rf"(?<!\w){re.escape(name.casefold())}(?!\w)", title.casefold()):
             raise InputError(
-                f"The title {title!r} names the method {name!r}, which raters must not know. "
-                "Choose another --title."
+                f"The title {title!r} contains the name of the method {name!r}, which raters must "
+                "not see. Choose another --title."
             )
 
 

@@ -59,7 +59,7 @@ class StudyPage:
         try:
             parse_answers(json.dumps(answers).encode(), self.key)
         except InputError as error:
-            raise InputError(f"The answers do not fit the study: {error}") from error
+            raise InputError(f"The answers do not match the study: {error}") from error
 
 
 def read_template() -> str:
@@ -129,7 +129,8 @@ def read_page(path: Path, template: str, post: str) -> StudyPage:
         )
     if facts["post"] != post.replace("{study}", key.study):
         raise InputError(
-            f"{str(path)!r} does not send its answers here. Create it again with --post '{post}'."
+            f"{str(path)!r} does not send its answers to the studio. Create it again with --post "
+            f"'{post}'."
         )
     return StudyPage(key.study, raw, f"{_policy(template, posts=True)}; frame-ancestors 'none'",
                      key)  # fmt: skip
@@ -152,19 +153,19 @@ def _hashes(element: re.Pattern[str], template: str) -> str:
 
 def _blind_key(facts: Mapping[str, Any]) -> StudyKey:
     if facts["schema"] != SCHEMA:
-        raise ValueError(f"schema {facts['schema']!r:.20}, not {SCHEMA}")
+        raise ValueError(f"its schema is {facts['schema']!r:.20}, not {SCHEMA}")
     names = {"schema", "study", "title", "scenesEach", "attention", "scenes", "post"}
     scenes, each, attention = facts["scenes"], facts["scenesEach"], facts["attention"]
     if facts.keys() != names or not STUDY.fullmatch(facts["study"]):
-        raise ValueError("it does not have the entries of a study")
+        raise ValueError("it has missing or unexpected entries")
     if not (isinstance(scenes, list) and 1 <= len(scenes) <= MAX_SCENES):
-        raise ValueError(f"a study has 1 to {MAX_SCENES} scenes")
+        raise ValueError(f"a study must have 1 to {MAX_SCENES} scenes")
     if not (is_count(each) and is_count(attention) and attention <= each <= len(scenes) and each):
-        raise ValueError("its counts do not fit its scenes")
+        raise ValueError("its counts do not match its scenes")
     keyed = dict(_blind_scene(scene) for scene in scenes)
     columns = {tuple(one.results.values()) for one in keyed.values()}
     if len(keyed) < len(scenes) or len(columns) != 1:
-        raise ValueError("its scenes do not match each other")
+        raise ValueError("its scenes do not have the same methods")
     title = printable(facts["title"], "title", InputError)
     return StudyKey(facts["study"], title, 0, columns.pop(), each, attention, 0.0, keyed)
 
@@ -172,12 +173,12 @@ def _blind_key(facts: Mapping[str, Any]) -> StudyKey:
 def _blind_scene(scene: Mapping[str, Any]) -> tuple[str, KeyScene]:
     results = scene["results"]
     if not (isinstance(results, list) and 2 <= len(results) <= MAX_METHODS):
-        raise ValueError(f"a scene has 2 to {MAX_METHODS} results")
+        raise ValueError(f"a scene must have 2 to {MAX_METHODS} results")
     codes = [scene["id"], *(one["id"] for one in results)]
     if not all(CODE.fullmatch(code) for code in codes) or len(set(codes)) < len(codes):
         raise ValueError("codes must be a letter and 10 hexadecimal digits, without repetition")
     views = [view for one in results for view in one["views"]]
     if not all(_PICTURE.fullmatch(picture) for picture in (scene["input"], *views)):
-        raise ValueError("pictures must be embedded JPEG")
+        raise ValueError("pictures must be embedded JPEG data")
     named = {one["id"]: str(k) for k, one in enumerate(results, 1)}
     return codes[0], KeyScene(codes[0], "0" * 64, named)

@@ -127,9 +127,9 @@ def measure(
         InputError: no rater remains, or a setting is out of range.
     """
     require_seed(seed)
-    require_number("report needs allow-failed", allowed_failures, minimum=0, integer=True)
+    require_number("--allow-failed", allowed_failures, minimum=0, integer=True)
     least = key.min_seconds if min_seconds is None else min_seconds
-    require_number("report needs min-seconds", least, minimum=0)
+    require_number("--min-seconds", least, minimum=0)
     inattentive = tuple(a.rater for a in answers if a.failed > allowed_failures)
     fast = tuple(a.rater for a in answers if a.seconds < least)
     kept = [a for a in answers if a.rater not in {*inattentive, *fast}]

@@ -72,7 +72,7 @@ def test_it_lists_what_the_bundle_offers_and_environments_keep_to_it(name: str) 
         if known := solved(path, kind):
             assert {played(env, seed) for seed in range(3)} <= known
         else:
-            said = "no certified task" if listed else "No valid task"
+            said = "no certified task" if listed else "no valid task"
             with pytest.raises(SceneError, match=said):
                 env.reset(seed=0)
 

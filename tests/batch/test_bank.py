@@ -153,7 +153,7 @@ def test_a_scene_without_objects_has_room_for_none() -> None:
 def test_another_robot_is_refused() -> None:
     world = world_of(*toy_objects())
     world.model.actuator_gainprm[0, 0] *= 2
-    with pytest.raises(InputError, match="has another robot than the bank"):
+    with pytest.raises(InputError, match="has a different robot than the bank"):
         SceneBank([world], max_parts=None)
 
 

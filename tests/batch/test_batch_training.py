@@ -65,7 +65,7 @@ def test_settings_of_a_batch_are_checked() -> None:
             batch_config(tiny(batch=wrong))
     for changes, why in (
         ({"algorithm": "ppo", "options": {}}, "only 'ppo-batch' trains on a batch"),
-        ({"processes": 2}, "a batch has no processes"),
+        ({"processes": 2}, "batch and processes cannot be combined"),
         ({"batch": 3}, "batch must be a table of settings"),
     ):
         with pytest.raises(InputError, match=why):

@@ -222,15 +222,15 @@ def test_another_bank_takes_the_place_of_the_first(
 
 @pytest.mark.slow
 def test_wrong_calls_are_refused(batch: BatchWorld) -> None:
-    with pytest.raises(InputError, match=r"ctrl of shape \(3, 8\), got \(2, 8\)"):
+    with pytest.raises(InputError, match=r"ctrl must have shape \(3, 8\), got \(2, 8\)"):
         batch.step(home(2), SUBSTEPS)
     with pytest.raises(InputError, match="substeps"):
         batch.step(home(3), 0)
-    with pytest.raises(InputError, match=r"are 0 to 2, got \[3\]"):
+    with pytest.raises(InputError, match=r"from 0 to 2, got \[3\]"):
         batch.load([3], [0])
-    with pytest.raises(InputError, match=r"are 0 to 1, got \[-1, 2\]"):
+    with pytest.raises(InputError, match=r"from 0 to 1, got \[-1, 2\]"):
         batch.load([0, 1], [2, -1])
-    with pytest.raises(InputError, match="a scene for each world, got 1 for 2"):
+    with pytest.raises(InputError, match="one scene per world, got 1 scenes for 2"):
         batch.load([0, 1], [1])
 
 
@@ -281,7 +281,7 @@ def test_a_world_takes_the_memory_that_is_said(
 def test_limits_are_checked() -> None:
     with pytest.raises(InputError, match="rows"):
         BatchLimits(rows=0)
-    with pytest.raises(InputError, match="depths <= contacts"):
+    with pytest.raises(InputError, match="depths must be at most contacts"):
         BatchLimits(contacts=8, depths=9)
 
 

@@ -78,7 +78,7 @@ def test_a_forged_result_is_neither_marked_nor_shown(tmp_path: Path, shell: Shel
     assert "126 episodes solved in 1 steps, but success must hold for 10" in said
     assert not mark_path(path).exists()
     shown = shell("bench", "leaderboard", str(tmp_path), code=2).err
-    assert "SuperNet on lift-test-random has impossible figures" in shown
+    assert "SuperNet on lift-test-random has impossible values" in shown
 
 
 def test_a_result_without_the_versions_of_a_run_is_named(tmp_path: Path) -> None:
@@ -135,7 +135,7 @@ def test_a_player_without_a_policy_is_shown_as_what_it_is(tmp_path: Path) -> Non
 
 
 @pytest.mark.parametrize(("player", "wrong"), [
-    ({"kind": "oracle"}, "a player has the kind 'oracle'"),
+    ({"kind": "oracle"}, "got 'oracle'"),
     ({"kind": "expert", "digest": "ab" * 32}, "cannot have a digest"),
     ({"kind": "zero", "settings": {"observation": "pixels"}}, "or settings"),
     ({"kind": "policy", "name": "Expert", "digest": "ab" * 32}, "called 'Expert'"),
@@ -197,14 +197,14 @@ def test_another_policy_is_not_the_one_of_the_result(
 ) -> None:
     own = ("--suite", f"{suite_file}:test", "--tables", str(store))
     said = shell("bench", "check", str(zero), *own, "--policy", "random", code=2).err
-    assert "random is not the policy of the result of zero (other kind)" in said
+    assert "random is not the policy of the result of zero (different kind)" in said
     assert "--episodes" in shell("bench", "check", str(zero), *own, "--episodes", "0", code=2).err
     payload = json.loads(zero.read_text())
     payload.pop("digest")
     payload["player"] |= {"kind": "policy", "name": "mine.safetensors", "digest": "ab" * 32}
     zero.write_text(json.dumps({**payload, "digest": canonical_digest(payload)}))
     said = shell("bench", "check", str(zero), *own, code=2).err
-    assert "names its policy 'mine.safetensors', which was not found" in said
+    assert "policy 'mine.safetensors' was not found" in said
 
 
 def test_the_leaderboard_shows_marks(tmp_path: Path) -> None:

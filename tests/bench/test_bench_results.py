@@ -162,15 +162,15 @@ def test_the_page_has_a_row_for_each_policy(
 def test_results_of_other_suites_are_not_shown(
     toy: Suite, lift: tuple[Suite, Suite], tmp_path: Path
 ) -> None:
-    with pytest.raises(InputError, match="holds no results"):
+    with pytest.raises(InputError, match="contains no results"):
         leaderboard.read_results(tmp_path)
     other = result_of(toy, tmp_path / "a.json", "random", {0})
-    with pytest.raises(InputError, match="other episodes"):
+    with pytest.raises(InputError, match="different episodes"):
         leaderboard.page([other])
     own = result_of(lift[0], tmp_path / "b.json", "random", {0})
     with pytest.raises(InputError, match="two results of random"):
         leaderboard.page([own, own])
-    with pytest.raises(InputError, match="other episodes"):
+    with pytest.raises(InputError, match="different episodes"):
         leaderboard.page([dataclasses.replace(own, episodes=own.episodes[1:])])
     with pytest.raises(InputError, match="only accepts test suites"):
         leaderboard.page([dataclasses.replace(own, suite="lift-validation")])

@@ -202,7 +202,7 @@ def test_a_function_whose_module_changed_is_another_policy(
     assert find_player(f"{module}:Told", suite)[0].digest not in (own, digest)
     file.write_text(POLICY + "\n\nSTEP = 2\n")
     monkeypatch.delitem(sys.modules, module)
-    with pytest.raises(InputError, match="different result \\(other player\\)"):
+    with pytest.raises(InputError, match="different result \\(different player\\)"):
         run_suite(suite, name, run)
 
 
@@ -211,8 +211,8 @@ def test_a_function_whose_module_changed_is_another_policy(
     ("Nobody", "does not create a policy"),
     ("number", "without predict"),
     ("Deaf", "acts at 10 Hz"),
-    ("Greedy", "'robot', which is the suite's"),
-    ("Odd", "names, numbers, and lists"),
+    ("Greedy", "'robot', which is set by the suite"),
+    ("Odd", "strings, numbers, and lists"),
     ("Narrow", "The policy's action_space is three"),
     ("Short", "shape"),
 ])  # fmt: skip
@@ -229,7 +229,7 @@ def test_shipped_policies_play_their_task(suite: Suite, store: Path, tmp_path: P
         played(suite, "lift-clone", tmp_path, store)
     with pytest.raises(InputError, match=r"Unknown policy 'reach-clown'.*reach-clone"):
         played(suite, "reach-clown", tmp_path, store)
-    with pytest.raises(InputError, match="holds no policy yet"):
+    with pytest.raises(InputError, match="contains no policy yet"):
         played(suite, str(tmp_path), tmp_path, store)
 
 

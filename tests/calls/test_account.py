@@ -155,7 +155,7 @@ def test_the_shipped_prices_are_dated() -> None:
         ("modles = 1", "Did you mean 'models'"),
         ("models = 1", "must be a table"),
         ('[models."m"]\nimput = 1', "Did you mean 'input'"),
-        ('[models."m"]\ninput = "1"', "m needs input"),
+        ('[models."m"]\ninput = "1"', "m: input must"),
         ('[models."m"]\ninput = -1', ">= 0"),
         ("[models]\nm = 2", "a price must be a table"),
     ],

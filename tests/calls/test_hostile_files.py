@@ -175,7 +175,7 @@ def test_a_journal_deletes_no_file(tmp_path: Path, kept: Path) -> None:
     journal = folder / f"{FILE}-journal"
     page = struct.pack(">I", 2**31 // 4096 + 1 + 2**18)
     journal.write_bytes(head.ljust(512, b"\0") + page + name + end)
-    with pytest.raises(StorageError, match="names another file"):
+    with pytest.raises(StorageError, match="refers to another file"):
         SharedBudget(folder, "m").total()
     assert kept.read_text() == "precious" and journal.exists()
 

@@ -110,7 +110,7 @@ def test_the_picture_may_have_another_resolution_but_not_other_proportions(
 
 def test_nothing_in_common_is_an_input_error(scene: Scene) -> None:
     segments = Segments(("ghost_1",), ("ghost",), np.ones((24, 32), np.uint8))
-    with pytest.raises(InputError, match="nothing to compare"):
+    with pytest.raises(InputError, match="cannot be compared"):
         picture_camera(scene, segments)
 
 

@@ -56,7 +56,7 @@ def test_things_that_are_elsewhere_are_told(
     match = match_picture(moved(scene, 0.25), *found)
     doubts = " ".join(match.doubts)
     assert "The simulated objects overlap" in doubts
-    assert "not where the picture has them: " in doubts
+    assert "not where the picture shows them: " in doubts
     assert len(match.notes) == len(scene.objects)
 
 

@@ -93,7 +93,7 @@ def test_restyling_keeps_size_and_all_else(desk: Path, tmp_path: Path) -> None:
         (lambda b: editing.add(b, "a mug next to the teapot"), InputError, "no teapot on the"),
         (lambda b: editing.add(b, "a mug and a vase"), InputError, "several objects"),
         (lambda b: editing.remove(b, "stapler"), InputError, "Did you mean 'stapler_1'"),
-        (lambda b: editing.move(b, "mug_1"), InputError, "Give a position"),
+        (lambda b: editing.move(b, "mug_1"), InputError, "Specify a position"),
         (lambda b: editing.move(b, "mug_1", (float("nan"), 0.0)), InputError, "finite"),
         (lambda b: editing.move(b, "mug_1", "nowhere"), InputError, "nowhere"),
         (lambda b: editing.move(b, "mug_1", (3.0, 0.0)), PlaceError, "off the table"),

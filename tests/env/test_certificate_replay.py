@@ -91,7 +91,7 @@ def test_what_the_expert_did_not_do_is_found(
     with monkeypatch.context() as failing:
         failing.setattr(replaying, "has_solved", lambda *_: False)
         said = verify(code=1).out
-    assert "Lift (target cube_1): episode 0 is not solved, listed as solved" in said
+    assert "Lift (target cube_1): episode 0 is not solved, but is listed as solved" in said
     with_instances(bundle, TaskInstance("Lift", "cube_1", None, 40, 40))
     assert "40 of 40 episodes is impossible (too many" in verify(code=1).out
     listed = json.loads(verify("--json", code=1).out)[bundle.name]

@@ -181,7 +181,7 @@ def spoilt(payload: dict[str, Any], **changes: Any) -> dict[str, Any]:
         (lambda p: spoilt(p, task="Push"), "lists Push, which is not in its terms"),
         (lambda p: spoilt(p, preset="kitchen"), "Lift has no presets"),
         (lambda p: spoilt(p, task="Sequence", preset="kichen"), "no preset 'kichen'"),
-        (lambda p: p | {"terms": p["terms"] | {"episodes": 0}}, "episodes to be a whole"),
+        (lambda p: p | {"terms": p["terms"] | {"episodes": 0}}, "episodes must be a whole"),
         (lambda p: p | {"terms": p["terms"] | {"tasks": ["Juggle"]}}, "Unknown task 'Juggle'"),
         (lambda p: spoilt(p, goal=[0.1, 0.2]), "must be a string, not list"),
         (lambda p: spoilt(p, target="cube\x1b[2J"), "cannot be printed"),
@@ -220,14 +220,14 @@ def test_a_link_is_not_followed(bundle: Path, tmp_path: Path) -> None:
 def test_wrong_requests_are_explained(bundle: Path, shell: Shell) -> None:
     with pytest.raises(InputError, match="Did you mean 'Stack'"):
         Terms(("Stak",))
-    with pytest.raises(InputError, match="episodes to be a whole number >= 1 and <= 10000, got 0"):
+    with pytest.raises(InputError, match="must be a whole number >= 1 and <= 10000, got 0"):
         Terms(episodes=0)
     with pytest.raises(InputError, match="at least one task"):
         Terms(())
-    with pytest.raises(InputError, match="certify needs workers"):
+    with pytest.raises(InputError, match="workers must be"):
         certify(bundle, TERMS, workers=0)
     told = shell("certify", str(bundle), "--tasks", "Lift", "--episodes", "0", code=2).err
-    assert "error: Terms needs episodes" in told
+    assert "error: Terms.episodes must" in told
     assert run(["certify", str(bundle.parent / "none")]) == 4
 
 

@@ -92,7 +92,7 @@ def test_where_there_is_nothing_to_do_the_scenes_are_counted_once(count: int) ->
     box = (toy_object("box_1", (0.3, 0.3, 0.3), (0.0, 0.0)),)
     env = make_env([toy_scene(box, name=f"bare_{k}") for k in range(count)], task="Lift")
     said = "the one scene drawn" if count == 1 else "2 drawn scenes"
-    with pytest.raises(SceneError, match=f"^No valid task in {said}. Scene 'bare_0'"):
+    with pytest.raises(SceneError, match=f"^There is no valid task in {said}. Scene 'bare_0'"):
         env.reset(seed=0)
 
 
@@ -183,10 +183,13 @@ def test_scenes_with_nothing_to_do_are_passed_over() -> None:
         ({"action": ["ee_delta"]}, r"Unknown action mode \['ee_delta'\].*Available: ee_absolute"),
         ({"observation": ["state"]}, "Available: goal, pixels"),
         ({"cameras": [["front"]]}, "Unknown camera.*Available: front, side, top, wrist"),
-        ({"cache": 0}, "needs cache to be a whole number >= 1, got 0"),
-        ({"cache": "all"}, "needs cache to be a whole number >= 1, got 'all'"),
-        ({"render_size": (0, 0)}, r"render_size must be between 8 and 4096 pixels.*\(0, 0\)"),
-        ({"render_size": "big"}, r"one number or \(height, width\), got 'big'"),
+        ({"cache": 0}, "cache must be a whole number >= 1, got 0"),
+        ({"cache": "all"}, "cache must be a whole number >= 1, got 'all'"),
+        (
+            {"render_size": (0, 0)},
+            r"render_size must be .* between 8 and 4096 pixels, got \(0, 0\)",
+        ),
+        ({"render_size": "big"}, r"one number or \(height, width\), .* got 'big'"),
         ({"render_size": (480,)}, r"render_size must be"),
         ({"render_size": None}, r"render_size must be"),
         ({"certified": "yes"}, "certified must be True or False, got 'yes'"),

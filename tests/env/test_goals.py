@@ -88,8 +88,8 @@ def test_unknown_tasks_and_presets_name_what_there_is() -> None:
         ("Stack", {"goal": "boxx_1"}, "Did you mean 'box_1'"),
         ("Stack", {"goal": (0.0, 0.0)}, "an object's name"),
         ("Swap", {"goal": (0.0, 0.0)}, "other object's name"),
-        ("Tidy", {"target": "cube_1"}, "leave the option 'target' out"),
-        ("Sequence", {"target": "cube_1"}, "leave .target. and .goal. out"),
+        ("Tidy", {"target": "cube_1"}, "omit the option 'target'"),
+        ("Sequence", {"target": "cube_1"}, "omit .target. and .goal."),
     ],
 )
 def test_wrong_options_are_explained(task, options, message) -> None:

@@ -189,7 +189,7 @@ def test_presets_name_cameras_and_sizes(preset) -> None:
         ({"target_mark": "overlay", "kinds": ("depth",)}, "add 'rgb' to kinds"),
         ({"mode": "point_cloud", "calibration": True}, "requires pictures"),
         ({"calibration": 1}, "must be True or False"),
-        ({"geometry": "height_map"}, "only inputs of a real robot"),
+        ({"geometry": "height_map"}, "the inputs of a real robot"),
         ({"grasp_hint": "planned"}, r"use 'pixels\+state'"),
     ],
 )

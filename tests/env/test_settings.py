@@ -75,7 +75,7 @@ def test_a_group_and_its_keywords_mean_the_same(group: str) -> None:
 def test_both_ways_at_once_are_refused(group: str) -> None:
     for name, value in FLAT[group].items():
         if name != group:
-            with pytest.raises(InputError, match=f"{group} is given as a whole, so {name} cannot"):
+            with pytest.raises(InputError, match=f"{group} is given, so {name} cannot"):
                 read_settings({group: WHOLE[group], name: value})
     for wrong in (None, 3, "x"):
         with pytest.raises(InputError):

@@ -142,11 +142,11 @@ def test_masters_keep_the_scenes_used_last() -> None:
 @pytest.mark.parametrize(
     ("settings", "message"),
     [
-        ({"num_envs": 0}, "needs num_envs to be a whole number >= 1, got 0"),
-        ({"num_envs": None}, "needs num_envs to be"),
-        ({"threads": 0}, "needs threads to be a whole number >= 1, got 0"),
-        ({"max_episode_steps": 0}, "needs max_episode_steps to be a whole number >= 1"),
-        ({"cache": 0}, "needs cache to be a whole number >= 1, got 0"),
+        ({"num_envs": 0}, "num_envs must be a whole number >= 1, got 0"),
+        ({"num_envs": None}, "num_envs must be"),
+        ({"threads": 0}, "threads must be a whole number >= 1, got 0"),
+        ({"max_episode_steps": 0}, "max_episode_steps must be a whole number >= 1"),
+        ({"cache": 0}, "cache must be a whole number >= 1, got 0"),
         ({"autoreset_mode": 3}, "Unknown autoreset mode 3.*Available: Disabled, NextStep"),
         ({"autoreset_mode": "samestep"}, "Did you mean 'SameStep'"),
         ({"observation": "stat"}, "Did you mean 'state'"),
@@ -169,10 +169,12 @@ def test_wrong_calls_are_explained() -> None:
     envs = TabletopVectorEnv(2, scenes=toy_scene(), max_episode_steps=1, autoreset_mode="Disabled")
     with pytest.raises(InputError, match=r"Call reset\(\)"):
         envs.step(np.zeros((2, 5)))
-    with pytest.raises(InputError, match="2 slots need a single seed or a list of 2 seeds, got 3"):
+    with pytest.raises(
+        InputError, match="2 slots require a single seed or a list of 2 seeds, got 3"
+    ):
         envs.reset(seed=[1, 2, 3])
     with pytest.raises(
-        InputError, match=r"2 slots need a single seed or a list of 2 seeds, got 1\.5"
+        InputError, match=r"2 slots require a single seed or a list of 2 seeds, got 1\.5"
     ):
         envs.reset(seed=1.5)  # type: ignore[arg-type]
     with pytest.raises(InputError, match="options must be a dict"):
@@ -184,10 +186,10 @@ def test_wrong_calls_are_explained() -> None:
         envs.reset(options={"colour": 1})
     assert "slot 0" in caught.value.__notes__[0]
     envs.reset(seed=0)
-    with pytest.raises(InputError, match="need one action each, got 1"):
+    with pytest.raises(InputError, match="require one action each, got 1"):
         envs.step(np.zeros((1, 5)))
     for actions in (3, None, np.array(0.0)):
-        with pytest.raises(InputError, match="2 slots need one action each, got"):
+        with pytest.raises(InputError, match="2 slots require one action each, got"):
             envs.step(actions)
     with pytest.raises(InputError, match="must be finite") as caught:
         envs.step(np.array([[0.0] * 5, [np.nan] * 5]))

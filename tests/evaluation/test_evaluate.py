@@ -196,7 +196,7 @@ def test_the_command_finds_nothing_in_a_sound_bundle(
 ) -> None:
     path = saved(taken.scene, store, taken)
     shown = shell("evaluate", path, "--truth", path).out
-    assert "no defect found" in shown
+    assert "no defects found" in shown
     assert "yaw error 0.00 deg" in shown
 
 

@@ -94,7 +94,7 @@ def test_too_many_nodes_are_told_before_any_is_read(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("node", "said"),
     [
-        ({"extras": {"fixed": False, "mass": 10**400}}, "needs a number as its mass"),
+        ({"extras": {"fixed": False, "mass": 10**400}}, "must be a number"),
         ({"extras": {"mass": 1, "inertia": [10**400] * 9, "fixed": False}}, "centre of mass and"),
         ({"translation": [10**400, 0, 0]}, "damaged"),
         ({"scale": [0, 0, 0]}, "is not a rotation, scale and translation"),
@@ -166,7 +166,7 @@ def test_the_scene_that_a_file_shows_by_default_is_read(tmp_path: Path) -> None:
 def test_a_file_without_scenes_shows_all_its_trees(changes: dict[str, Any], tmp_path: Path) -> None:
     path = write_glb(tmp_path / "it.glb", RED, **changes)
     if changes.get("nodes") == []:
-        with pytest.raises(InputError, match="0 nodes of the scene have a name for a table"):
+        with pytest.raises(InputError, match="The names of 0 nodes suggest a table"):
             read_glb(path)
         return
     assert [body.name for body in read_glb(path).objects] == ["mug"]

@@ -351,7 +351,7 @@ def test_objects_beyond_the_budget_of_cuts_collide_as_their_hulls(
     meshes = {f"box {k}": lambda k=k: box(0.05 + k / 100) for k in range(3)}
     found = outcomes(write_meshes(tmp_path, meshes))
     assert [outcome.kind for outcome in found.values()] == ["taken", "hull", "hull"]
-    assert "used up the piece budget" in found["box 1"].detail
+    assert "used all convex parts" in found["box 1"].detail
 
 
 def test_objects_beyond_the_shapes_of_a_bundle_are_refused(

@@ -79,7 +79,7 @@ def test_files_outside_and_code_are_refused(head: str, said: str, tmp_path: Path
 @pytest.mark.parametrize(
     ("text", "said"),
     [
-        ('<!DOCTYPE m [<!ENTITY a "b">]><mujoco>&a;</mujoco>', "document type or entities"),
+        ('<!DOCTYPE m [<!ENTITY a "b">]><mujoco>&a;</mujoco>', "document type or entity"),
         ("<mujoco>", "not valid XML"),
         ("<robot/>", "not an MJCF"),
         ("<mujoco>" + "<body>" * 150 + "</body>" * 150 + "</mujoco>", "too deep"),

@@ -212,8 +212,8 @@ def test_prompts_are_read_from_lines_and_json(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize(
     ("content", "words"),
-    [(None, "No such file"), ("{", "not valid JSON"), ("{}", "array"), ("[1]", "neither a text"),
-     ('[{"text": 1}]', "must be a string"), ('[{"text": "a", "seed": -1}]', "A seed has")],
+    [(None, "No such file"), ("{", "not valid JSON"), ("{}", "array"), ("[1]", "neither a string"),
+     ('[{"text": 1}]', "must be a string"), ('[{"text": "a", "seed": -1}]', "A seed must")],
 )  # fmt: skip
 def test_prompts_that_are_none_are_refused(tmp_path: Path, content: str | None, words: str) -> None:
     path = tmp_path / "prompts.json"

@@ -182,8 +182,8 @@ def test_prompts_are_read_from_regular_files_alone(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("content", "words"),
     [(b"[" * 100_000, "deeper than"), (b'["\\ud800"]', "not valid JSON"), (b"[NaN]", "not valid"),
-     (b'[{"text": "a", "seed": 1' + b"0" * 400 + b"}]", "A seed has"), (b"\xff", "not valid JSON"),
-     (b'["a", {"text": "a", "seed": true}]', "A seed has")],
+     (b'[{"text": "a", "seed": 1' + b"0" * 400 + b"}]", "A seed must"), (b"\xff", "not valid JSON"),
+     (b'["a", {"text": "a", "seed": true}]', "A seed must")],
 )  # fmt: skip
 def test_hostile_prompts_are_refused(tmp_path: Path, content: bytes, words: str) -> None:
     path = tmp_path / "deep.json"

@@ -58,7 +58,7 @@ def test_runs_without_a_common_stretch_are_refused(small, tmp_path: Path) -> Non
     late = made(tmp_path / "b", small(), 1, {300: 1, 400: 2})
     with pytest.raises(InputError, match="no common range"):
         bands([early, late])
-    with pytest.raises(InputError, match="no evaluation yet"):
+    with pytest.raises(InputError, match="no evaluations yet"):
         bands([made(tmp_path / "c", small(), 2, {})])
 
 

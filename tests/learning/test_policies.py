@@ -188,7 +188,7 @@ def test_damaged_files_are_refused(policy: TrainedPolicy, tmp_path: Path) -> Non
         path.write_bytes(content)
         with pytest.raises(InputError, match="not a valid policy file"):
             load_policy(path)
-    with pytest.raises(InputError, match="holds no policy yet"):
+    with pytest.raises(InputError, match="contains no policy yet"):
         load_policy(tmp_path)
 
 
@@ -269,7 +269,7 @@ def test_policies_are_found_by_name_or_path(policy, tmp_path: Path, monkeypatch)
     assert find_policy("reach-one") == find_policy(str(path)) == path
     run = tmp_path / "run"
     run.mkdir()
-    with pytest.raises(InputError, match="holds no policy yet"):
+    with pytest.raises(InputError, match="contains no policy yet"):
         find_policy(run)
     latest = save_policy(policy, run / LATEST)
     assert find_policy(run) == latest

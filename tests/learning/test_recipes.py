@@ -158,15 +158,15 @@ def test_one_of_your_own_is_a_file(tmp_path: Path) -> None:
         ({"network": {"layers": []}}, "layers"),
         ({"network": {"activation": "gelu"}}, "activation"),
         ({"network": [1]}, "table of settings"),
-        ({"scenes": []}, "scenes must be a text"),
-        ({"held_out": 3}, "held_out must be a text"),
+        ({"scenes": []}, "scenes must be a string"),
+        ({"held_out": 3}, "held_out must be a string"),
         ({"variants": 0}, "variants"),
         ({"variants": 1.5}, "variants"),
         ({"hindsight": 4}, "observation='goal'"),
         ({"hindsight": 4, "env": {"observation": "goal", "grasp_hint": True},
           "network": {"extractor": "goal"}}, "cannot be combined with grasp_hint"),
         ({"algorithm": "ppo", "demonstrations": 3}, "replay buffer"),
-        ({"algorithm": "clone"}, "needs the table cloning"),
+        ({"algorithm": "clone"}, r"needs a \[cloning\] table"),
         ({"algorithm": "td3", "cloning": {}}, "only SAC"),
         ({"demonstrations": 3, "env": {"action": "joint_delta"}}, "ee_delta"),
         ({"env": {"observation": "goal"}}, "extractor 'table'"),
@@ -186,10 +186,10 @@ def test_options_are_those_of_the_algorithm(small, table: str) -> None:
         new_model(small(options={"policy": "x"}), env, 0)
     with pytest.raises(InputError, match="rejects"):
         new_model(small(options={"buffer_size": "many"}), env, 0)
-    with pytest.raises(InputError, match="action_noise to be a number >= 0, got 'much'"):
+    with pytest.raises(InputError, match="action_noise must be a number >= 0, got 'much'"):
         new_model(small("td3", options={"action_noise": "much"}), env, 0)
     hindsight = {"env": {"observation": "goal"}, "hindsight": 4, "network": {"extractor": "goal"}}
-    with pytest.raises(InputError, match="learning_starts to be a whole number"):
+    with pytest.raises(InputError, match="learning_starts must be a whole number"):
         new_model(small(options={"learning_starts": "soon"}, **hindsight), env, 0)
     with pytest.raises(InputError, match="learning_starts must exceed 120"):
         goal = {"observation": "goal"}

@@ -83,7 +83,7 @@ def test_slots_that_do_not_reset_themselves_are_refused() -> None:
 
 def test_a_seed_is_one_of_the_rule() -> None:
     slots = TabletopVectorEnv(1, scenes="office-desk", task="Reach", autoreset_mode="SameStep")
-    with pytest.raises(InputError, match="A seed has"):
+    with pytest.raises(InputError, match="A seed must"):
         SlotVecEnv(slots).seed(-1)
     slots.close()
 

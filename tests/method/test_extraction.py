@@ -152,5 +152,5 @@ def test_drawings_are_limited():
 
 @pytest.mark.parametrize("drawings", [0, 1.5])
 def test_settings_out_of_range_are_refused(drawings) -> None:
-    with pytest.raises(InputError, match="ExtractionConfig needs drawings"):
+    with pytest.raises(InputError, match=r"ExtractionConfig\.drawings must"):
         ExtractionConfig(drawings=drawings)

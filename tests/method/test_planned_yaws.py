@@ -13,7 +13,7 @@ from generator.scene import Model, Rotation
 
 YAW = 0.6
 NAME = "seen_laptop_1"
-UNTOLD = "The drawing does not determine its yaw"
+UNTOLD = "the drawing does not determine it"
 
 
 def drafted(turn: Turn | None = None, margin: float = 1.0) -> SceneDraft:
@@ -75,10 +75,10 @@ def test_what_is_doubted_keeps_its_yaw_at_another_place() -> None:
     laid = lay_out_draft(draft, 0)
     assert by_name(laid.placements)["seen_stapler_1"].yaw == YAW
     assert "seen_stapler_1 is built from the plan: it does not stand." in laid.draft.warnings
-    assert any("instead of the drawing: seen_stapler_1" in w for w in laid.warnings)
+    assert any("instead of as drawn: seen_stapler_1" in w for w in laid.warnings)
     everything = lay_out_draft(draft.doubt({*draft.models}, "so"), 0)
     assert by_name(everything.placements)["seen_stapler_1"].yaw == YAW
-    assert any("The table is the plan's" in w for w in everything.warnings)
+    assert any("The planned table is used" in w for w in everything.warnings)
 
 
 def test_members_of_groups_are_arranged_as_a_whole() -> None:

@@ -54,7 +54,7 @@ def test_depth_and_intrinsics_shrink_with_the_picture():
     [
         ({"intrinsics": None}, "needs its intrinsics"),
         ({"depth": None}, "needs its depth map"),
-        ({"source": "a mug on a desk"}, "a text or a plan has neither"),
+        ({"source": "a mug on a desk"}, "can only be given with a picture"),
         ({"depth": DEPTH[:80]}, "aligned with the picture"),
         ({"depth": np.zeros_like(DEPTH)}, "Only 0%"),
         ({"depth": -DEPTH}, "negative"),

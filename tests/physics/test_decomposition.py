@@ -168,7 +168,7 @@ def test_an_import_has_a_budget_of_pieces(tmp_path: Path, monkeypatch) -> None:
                 decompose(mesh, np.ones(3), cache=tmp_path, budget=budget)
                 done.append(True)
             except SceneError as error:
-                assert "used up the piece budget" in str(error)
+                assert "used all convex parts" in str(error)
                 done.append(False)
         assert done == [True, True, True, True, False]  # the first two are equal
     assert cut == [20, 12, 12]

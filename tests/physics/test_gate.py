@@ -234,5 +234,5 @@ def test_earlier_corrections_stay_in_the_report() -> None:
     "wrong", [{"seconds": 0.0}, {"drift": -1e-3}, {"gap": float("nan")}, {"lean": 90.0}]
 )
 def test_limits_out_of_range_are_refused(wrong) -> None:
-    with pytest.raises(InputError, match=f"Limits needs {next(iter(wrong))}"):
+    with pytest.raises(InputError, match=rf"Limits\.{next(iter(wrong))} must"):
         GateLimits(**wrong)

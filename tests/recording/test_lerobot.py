@@ -449,8 +449,8 @@ def test_wrong_requests_are_explained(
     cases: list[tuple[RecordConfig, dict[str, Any], str]] = [
         (CONFIG, {"out": dataset}, "already exists"),
         (CONFIG, {"lerobot": LeRobotConfig(video="h265")}, "Unknown video codec 'h265'"),  # type: ignore[arg-type]
-        (CONFIG, {"lerobot": LeRobotConfig(quality=99)}, "quality to be a whole number"),
-        (CONFIG, {"format": "npz", "resume": True}, "'npz' cannot be resumed, only one in lerobot"),
+        (CONFIG, {"lerobot": LeRobotConfig(quality=99)}, "quality must be a whole number"),
+        (CONFIG, {"format": "npz", "resume": True}, "'npz' cannot be resumed; only lerobot"),
         (replace(CONFIG, image_size=15), {}, "an even width and height, but 'front' has 15 x 15"),
     ]
     for config, settings, reason in cases:

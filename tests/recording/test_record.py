@@ -253,11 +253,11 @@ def test_it_gives_up_where_the_expert_solves_nothing(
 def test_wrong_requests_are_explained(tmp_path: Path, lift: Path) -> None:
     cases: list[tuple[RecordConfig, dict[str, Any], str]] = [
         (RecordConfig("TabletopGen/Lifft-v0"), {}, "Unknown task .* Did you mean 'Lift'"),
-        (replace(LIFT, episodes=0), {}, "episodes to be a whole number >= 1"),
+        (replace(LIFT, episodes=0), {}, "episodes must be a whole number >= 1"),
         (replace(LIFT, noise=-1.0), {}, "noise"),
         (LIFT, {"format": "hdf"}, "Did you mean 'hdf5'"),
         (LIFT, {"format": "npz", "out": None}, "Set 'out'"),
-        (LIFT, {"workers": 0}, "workers to be a whole number >= 1"),
+        (LIFT, {"workers": 0}, "workers must be a whole number >= 1"),
         (LIFT, {"out": lift}, "already exists"),
         (LIFT, {"out": tmp_path / "lift"}, "not a valid name of a Minari dataset.*'lift-v0'"),
         (replace(LIFT, cameras=("back",)), {}, "Unknown camera 'back'"),  # type: ignore[arg-type]

@@ -111,7 +111,7 @@ def test_each_field_is_checked_and_named(fake: TestClient, kind: str) -> None:
     ({"kind": "generate", "picture": "0" * 32}, "no picture"),
     ({"kind": "generate", "picture": "/etc/passwd"}, "picture"),
     ({"kind": "edit", "scene": "office-desk-9a3d5bb3cd64", "action": "add", "words": ["x"],
-      "turn": 3}, "only for move"),
+      "turn": 3}, "only move accepts"),
     ({"kind": "export", "scene": "none-000000000000", "format": "glb"}, "no scene"),
     ({"kind": "episode", "scene": "office-desk-9a3d5bb3cd64", "task": "Lif"}, "'Lift'"),
     ({"kind": "compose", "text": "a mug", "name": "../x"}, "folder"),

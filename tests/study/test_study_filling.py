@@ -124,7 +124,7 @@ def test_answers_are_checked_without_the_key(tmp_path: Path) -> None:
     for rater in range(3):
         page.check(tiny.answers_of(files.key, rater))
     for change in ({"rater": "ann"}, {"scenes": []}, {"more": "x" * 1000}, {"study": "0" * 12}):
-        with pytest.raises(InputError, match="do not fit the study"):
+        with pytest.raises(InputError, match="do not match the study"):
             page.check(tiny.answers_of(files.key, 0) | change)
 
 

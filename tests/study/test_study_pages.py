@@ -105,11 +105,11 @@ def test_nothing_in_the_title_is_markup(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("options", "said"),
     [
-        ({"title": "Is Other better?"}, "names the method 'other'"),
-        ({"scenes": 7}, "only 6 are available"),
-        ({"scenes": 2, "attention": 3}, "at most one"),
+        ({"title": "Is Other better?"}, "name of the method 'other'"),
+        ({"scenes": 7}, "must be at most 6"),
+        ({"scenes": 2, "attention": 3}, "at most 2"),
         ({"seed": -1}, "seed"),
-        ({"post": "//evil.example/x"}, "not a path"),
+        ({"post": "//evil.example/x"}, "must be a path"),
         ({"min_seconds": float("nan")}, "min-seconds"),
         ({"title": "a\nb"}, "title"),
     ],
@@ -203,7 +203,7 @@ def test_results_that_do_not_fit_are_refused(tmp_path: Path) -> None:
     refused("None of the results includes its input picture", None)
     refused("no picture from above.*scene-0.above.png", above=True)
     (folders["other"] / "scene-3.png").rename(tmp_path / "kept.png")
-    refused("other has none for scene-3")
+    refused("other lacks scene-3")
     write_picture(tiny.picture(9), folders["other"] / "scene-33.png")
     refused(r"scene-33.png.*no input picture fits. Did you mean 'scene-3'\?")
     (folders["other"] / "scene-33.png").unlink()

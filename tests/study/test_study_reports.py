@@ -171,9 +171,9 @@ HOSTILE: dict[str, tuple[Change, str]] = {
     "no object": (lambda f: f["scenes"].__setitem__(0, 3), "not an object"),
     "unknown scene": (lambda f: _first(f).update(scene="s0000000000"), "unknown scene"),
     "no code": (lambda f: _first(f).update(scene=["x"]), "unknown scene"),
-    "too high": (lambda f: _marks(f).update(overall=8), "not 1 to 7"),
-    "half a mark": (lambda f: _marks(f).update(overall=4.5), "not 1 to 7"),
-    "true": (lambda f: _marks(f).update(overall=True), "not 1 to 7"),
+    "too high": (lambda f: _marks(f).update(overall=8), "not from 1 to 7"),
+    "half a mark": (lambda f: _marks(f).update(overall=4.5), "not from 1 to 7"),
+    "true": (lambda f: _marks(f).update(overall=True), "not from 1 to 7"),
     "no mark": (lambda f: _marks(f).pop("overall"), "questions"),
     "another result": (lambda f: _first(f)["ratings"].update(r0={}), "rated results"),
     "another choice": (lambda f: _first(f).update(choice="r0000000000"), "preferred"),
@@ -300,4 +300,4 @@ def test_wrong_usage_is_told(key_file: Path, tmp_path: Path, shell: Shell) -> No
     empty = tmp_path / "empty"
     empty.mkdir()
     shown = shell("study", "report", str(empty), "--key", str(key_file), code=2)
-    assert "There are no answers" in shown.err
+    assert "No answers were found" in shown.err

@@ -225,7 +225,7 @@ def test_what_a_policy_decides_is_not_asked_for(tmp_path) -> None:
     pytest.importorskip("stable_baselines3")
     cases = (
         ("reach-clone", {"cameras": ("front",), "image_size": 64}, "--cameras, --image-size"),
-        ("reach-clone", {"task": "Lift", "kinds": ("depth",)}, "performs Reach.* --task, --kinds"),
+        ("reach-clone", {"task": "Lift", "kinds": ("depth",)}, "the task .Reach.* --task, --kinds"),
         ("reach-clone", {"preset": "kitchen", "observation": "pixels+proprio"}, "--preset, --obs"),
         ("lift-sight", {"randomization": "strong"}, "Leave out --randomization, or"),
     )

@@ -76,7 +76,9 @@ class CloudImager:
         if not self.form:
             object.__setattr__(self, "form", _form(self.model, self.base_url))
         if self.form not in RATIOS:
-            raise BackendError(f"Imager has no form {self.form!r}." + choices(self.form, RATIOS))
+            raise BackendError(
+                f"Imager.form {self.form!r} is unknown." + choices(self.form, RATIOS)
+            )
 
     def check(self) -> None:
         """Raise BudgetError if there is a budget and a model's price is unknown."""
@@ -203,8 +205,8 @@ class CloudImager:
                 return TopView(image, np.array([0, 0, across, height], float), {})
             complaint = f"{_EARLIER}{' '.join(found)}"
         raise UnusableError(
-            f"{1 + REDRAWS} top views drawn by {self.model} were wrong. Problem of the last "
-            f"one: {_last(complaint)}"
+            f"{1 + REDRAWS} top views drawn by {self.model} could not be used. Problem of the "
+            f"last one: {_last(complaint)}"
         )
 
     def _take(self, seed: int, take: int) -> str:

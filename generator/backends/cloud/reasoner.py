@@ -173,7 +173,9 @@ class CloudReasoner:
         def marks(answer: answers.MarksAnswer) -> dict[str, float]:
             given = [m.criterion for m in answer.marks]
             if sorted(given) != sorted(criteria):
-                raise Wrong(f"marks are needed for {', '.join(criteria)}, each once; got {given}.")
+                raise Wrong(
+                    f"each of {', '.join(criteria)} must have one mark, got marks for {given}."
+                )
             return {m.criterion: m.mark for m in answer.marks}
 
         listed = "\n".join(f"- {key}: {meaning}" for key, meaning in criteria.items())
@@ -195,7 +197,9 @@ class CloudReasoner:
         def order(answer: answers.OrderAnswer) -> tuple[str, ...]:
             given = [letter.strip().upper() for letter in answer.order]
             if sorted(given) != sorted(letters):
-                raise Wrong(f"the order must hold {', '.join(letters)}, each once; got {given}.")
+                raise Wrong(
+                    f"the order must contain each of {', '.join(letters)} once, got {given}."
+                )
             return tuple(letters[letter] for letter in given)
 
         lines = [f"{letter}: {len(methods[name])} pictures" for letter, name in letters.items()]

@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 
 
 SECRET_ID, SECRET_KEY = "TENCENTCLOUD_SECRET_ID", "TENCENTCLOUD_SECRET_KEY"
-"""Environment variables that hold the two halves of the key."""
+"""Environment variables with the two parts of the key."""
 
 _VERSION = "2025-05-13"
 _SUBMIT, _QUERY = "SubmitHunyuanTo3DProJob", "QueryHunyuanTo3DProJob"

@@ -22,7 +22,7 @@ _MODEL_WORDS = frozenset(
 """Names of files and folders that describe the kind of mesh, not the object."""
 
 _WORSE = ("nontextured", "collision", "poisson", "simplified")
-"""Words that mark a mesh, by its path, as one to use only if there is no other."""
+"""Words in the path of a mesh that mark it as a last resort."""
 
 _NUMBER = re.compile(r"^\d+[-_ ]+(?=\D)")  # "025_mug"
 

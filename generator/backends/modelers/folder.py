@@ -130,7 +130,12 @@ class Folder:
         own = np.ptp(vertices, axis=0) * _METRES[self.units]
         times = float(own.max() / np.asarray(model.size).max())
         if not 1 / _ODD < times < _ODD:
-            _LOG.warning("%s has %.3g times its usual size in %s.", what, times, self.units)
+            _LOG.warning(
+                "%s, read in %s, is %.3g times as large as usual. Check Folder.units.",
+                what,
+                self.units,
+                times,
+            )
         return replace(model, size=own)
 
     def home(self) -> Path:

@@ -70,7 +70,7 @@ class Hunyuan3D:
     def __post_init__(self) -> None:
         if self.version not in ("2.0", "2.1"):
             raise BackendError(
-                f"hunyuan3d has no version {self.version!r}." + choices(self.version, _BODIES)
+                f"Hunyuan3D.version {self.version!r} is unknown." + choices(self.version, _BODIES)
             )
         if self.url:
             self._address()

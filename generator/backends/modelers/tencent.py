@@ -66,7 +66,7 @@ class Tencent:
     def __post_init__(self) -> None:
         if self.style not in get_args(Style):
             raise BackendError(
-                f"tencent has no style {self.style!r}." + choices(self.style, get_args(Style))
+                f"Tencent.style {self.style!r} is unknown." + choices(self.style, get_args(Style))
             )
         require(self, "asked_faces", minimum=40_000, maximum=1_500_000, integer=True)
         require(self, "interval", "timeout", above=0)
@@ -120,7 +120,7 @@ class Tencent:
             if time.monotonic() > until:
                 raise BackendError(
                     f"{what} job {job} is not done after {self.timeout:g} s. The job continues "
-                    "on the server; run it again to poll it again."
+                    "on the server; run the command again to resume waiting."
                 )
             self.session.pause(self.interval)
             reply = service.look(job, "renew")
@@ -138,7 +138,7 @@ class Tencent:
             raise LostJob(f"the result of job {job} is no longer stored.")
         if raw is None:
             raise BackendError(
-                f"{what} the result of job {job} cannot be downloaded. Run it again."
+                f"{what} the result of job {job} cannot be downloaded. Run the command again."
             )
         return raw
 

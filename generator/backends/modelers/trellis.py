@@ -50,7 +50,7 @@ class Trellis(Installed):
     def __post_init__(self) -> None:
         if self.version not in _WEIGHTS:
             raise BackendError(
-                f"trellis has no version {self.version!r}." + choices(self.version, _WEIGHTS)
+                f"Trellis.version {self.version!r} is unknown." + choices(self.version, _WEIGHTS)
             )
         require(self, "steps", minimum=1, integer=True)
 

@@ -39,7 +39,7 @@ def checked_address(url: str, what: str, hint: str = "") -> str:
             f"Remove them.{hint}"
         )
     if not fine:
-        raise BackendError(f"{what} must look like https://host/path, got {shown!r}.{hint}")
+        raise BackendError(f"{what} must have the form https://host/path, got {shown!r}.{hint}")
     return url.rstrip("/")
 
 

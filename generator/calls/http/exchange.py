@@ -84,16 +84,18 @@ def exchange(
         late = time.monotonic() >= until  # the connection was shut down at the deadline
         if late or not isinstance(e, httpx2.ConnectError | httpx2.ProxyError):
             connect = request.extensions["timeout"]["connect"]
-            return Trouble(f"It did not accept the connection within {connect:g} s.", again=True)
+            message = f"The server did not accept the connection within {connect:g} s."
+            return Trouble(message, again=True)
         again = "certificate" not in str(e).lower()
-        return Trouble(f"It cannot be reached ({e}).", again=again)
+        return Trouble(f"The server cannot be reached ({e}).", again=again)
     except (httpx2.TransportError, zlib.error, _TooSlow) as error:
         if isinstance(error, _TooSlow | httpx2.TimeoutException) or time.monotonic() >= until:
-            message = f"It did not respond within {timeout:g} s."
+            message = f"The server did not respond within {timeout:g} s."
             return Trouble(message, again=True, charged=paid, late=True)
         if isinstance(error, httpx2.UnsupportedProtocol | httpx2.LocalProtocolError):
             return Trouble(f"The request cannot be sent ({error}).", again=False)
-        message = f"Its response broke off ({str(error)[:_EXCERPT] or type(error).__name__})."
+        cause = str(error)[:_EXCERPT] or type(error).__name__
+        message = f"The server's response ended early ({cause})."
         return Trouble(message, again=True, charged=paid)
     return reply if isinstance(reply, Trouble) else _judge(reply, paid, secrets)
 
@@ -117,15 +119,15 @@ def _read(
             return target
         if request.method not in ("GET", "HEAD") and response.status_code not in (307, 308):
             return Trouble(
-                f"It redirects a {request.method} with status {response.status_code}, which "
-                "would drop the request's body. Check the address.",
+                f"The server redirects a {request.method} with status {response.status_code}, "
+                "which would drop the request's body. Check the address.",
                 again=False,
             )
         request = httpx2.Request(
             request.method, target, headers=request.headers, content=request.content,
             extensions=request.extensions,
         )  # fmt: skip
-    return Trouble(f"It redirected more than {MOST_REDIRECTS} times.", again=False)
+    return Trouble(f"The server redirected more than {MOST_REDIRECTS} times.", again=False)
 
 
 def _target(url: httpx2.URL, location: str) -> httpx2.URL | Trouble:
@@ -135,16 +137,16 @@ def _target(url: httpx2.URL, location: str) -> httpx2.URL | Trouble:
         origin, where = _origin(target), f"{target.scheme}://{target.netloc.decode()}"
         bare = not target.userinfo
     except (httpx2.InvalidURL, ValueError):
-        return Trouble("It redirects to an invalid address.", again=False)
+        return Trouble("The server redirects to an invalid address.", again=False)
     if origin != _origin(url):
         return Trouble(
-            f"It redirects to another server, {where[:_EXCERPT]}, which was not followed "
+            f"The server redirects to another server, {where[:_EXCERPT]}, which was not followed "
             "because it would receive the key. If that server is correct, configure its "
             "address.",
             again=False,
         )
     if not bare:
-        return Trouble("It redirects to an address that contains a user name.", again=False)
+        return Trouble("The server redirects to an address that contains a user name.", again=False)
     return target
 
 
@@ -152,7 +154,10 @@ def _body(response: httpx2.Response, until: float, most_bytes: int) -> Reply | T
     """Read a response piece by piece, up to ``most_bytes`` bytes."""
     encoding = response.headers.get("content-encoding", "").strip().lower()
     if encoding not in ("", "identity", "gzip", "x-gzip", "deflate"):
-        message = f"Its response uses the compression {encoding[:40]!r}, which was not requested."
+        message = (
+            f"The server's response uses the compression {encoding[:40]!r}, which was not "
+            "requested."
+        )
         return Trouble(message, again=False, charged=response.is_success, alive=True, unusable=True)
     pieces, size = [], 0
     length = response.headers.get("content-length", "")
@@ -168,7 +173,7 @@ def _body(response: httpx2.Response, until: float, most_bytes: int) -> Reply | T
             kind = response.headers.get("content-type", "")
             wait = response.headers.get("retry-after")
             return Reply(response.status_code, kind, b"".join(pieces), wait=wait)
-    message = f"Its response exceeds the limit of {most_bytes} bytes."
+    message = f"The server's response exceeds the limit of {most_bytes} bytes."
     return Trouble(message, again=False, charged=response.is_success, alive=True, unusable=True)
 
 
@@ -197,7 +202,7 @@ def _judge(reply: Reply, paid: bool, secrets: tuple[str, ...]) -> Reply | Troubl
     head = reply.body[:_EXCERPT].lstrip().lower()
     if "text/html" in reply.content_type or head.startswith((b"<!doctype html", b"<html")):
         message = (
-            f"It returned an HTML page (status {status}) instead of JSON or a file: "
+            f"The server returned an HTML page (status {status}) instead of JSON or a file: "
             f"{_excerpt(reply.body, secrets)}. Check the address; a proxy or a web site may "
             "have responded."
         )
@@ -210,12 +215,14 @@ def _judge(reply: Reply, paid: bool, secrets: tuple[str, ...]) -> Reply | Troubl
             payload = parse_json(reply.body, "It", UnusableError)
         except UnusableError:
             if reply.good:
-                message = f"Its response is not valid JSON: {_excerpt(reply.body, secrets)}."
+                shown = _excerpt(reply.body, secrets)
+                message = f"The server's response is not valid JSON: {shown}."
                 return Trouble(message, again=True, charged=paid)
     passed_on = _code(payload) if reply.good else None
     if passed_on in _AGAIN:
         message = (
-            f"It returned an upstream error with code {passed_on}: {_excerpt(reply.body, secrets)}."
+            f"The server returned an upstream error with code {passed_on}: "
+            f"{_excerpt(reply.body, secrets)}."
         )
         return replace(_trouble(reply, passed_on, paid, secrets), reason=message)
     if again or status >= 500 or status < 200:
@@ -228,7 +235,7 @@ def _judge(reply: Reply, paid: bool, secrets: tuple[str, ...]) -> Reply | Troubl
 def _trouble(reply: Reply, status: int, paid: bool, secrets: tuple[str, ...]) -> Trouble:
     """Return the failure that a response with an error status reports."""
     return Trouble(
-        f"It returned status {status}: {_excerpt(reply.body, secrets)}.",
+        f"The server returned status {status}: {_excerpt(reply.body, secrets)}.",
         again=status in _AGAIN, charged=paid and status in _CHARGED, late=status in _LATE,
         alive=status == 429 or (status == 503 and reply.wait is not None), wait=reply.wait,
     )  # fmt: skip

@@ -108,7 +108,7 @@ class Breaker:
                 raise BackendError(
                     f"{what}: not sent. {self._server} failed {self._failures} times in a row; "
                     f"last failure: {self._reason} It is not contacted for another {left:.0f} "
-                    "s. Check that it runs, then try again."
+                    "s. Check that it is running, then try again."
                 )
             # only one trial call; the others wait for its outcome
             self._closed_again = self._clock() + self._policy.rest

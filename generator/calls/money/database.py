@@ -135,7 +135,7 @@ class LocalKeeper:
 
 
 LOCAL = LocalKeeper()
-"""The default keeper."""
+"""The keeper that is used by default, for processes on this machine."""
 
 
 def is_alive(folder: Path, name: str) -> bool:
@@ -232,4 +232,4 @@ def _check_journal(path: Path) -> None:
         with path.open("rb") as file:
             file.seek(max(0, path.lstat().st_size - len(_SUPER_JOURNAL)))
             if file.read() == _SUPER_JOURNAL:
-                raise damage_error(path, "It names another file.")
+                raise damage_error(path, "It refers to another file.")

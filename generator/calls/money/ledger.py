@@ -171,8 +171,8 @@ class Account:
                 f"{what}: not sent. Earlier runs of the same scene made {len(unknown)} calls "
                 f"whose price is not known, so the budget of {budget:g} cannot be enforced. Add "
                 f"{', '.join(models) or 'their models'} to the price table, or remove "
-                f"{self._spending.path}, which discards its record of spending. Calls that "
-                "broke off can only be removed."
+                f"{self._spending.path}, which discards its record of spending. The price of "
+                "calls that were interrupted cannot be added."
             )
 
     def _reserve(self, maximum: float | None, budget: float | None, what: str) -> int | None:

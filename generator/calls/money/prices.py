@@ -123,5 +123,5 @@ def _price(where: str, entry: Any) -> Price:
     for name, value in entry.items():
         if name not in known:
             raise InputError(f"{where}: unknown price {name!r}." + choices(name, known))
-        require_number(f"{where} needs {name}", value, minimum=0, maximum=_MOST)
+        require_number(f"{where}: {name}", value, minimum=0, maximum=_MOST)
     return Price(**{name: float(value) for name, value in entry.items()})

@@ -51,7 +51,8 @@ class SweepConfig:
         angles = np.array(self.elevations)
         if not ((angles >= 0) & (angles <= 90)).all() or min(self.distances) <= 0:
             raise InputError(
-                "The elevations of a sweep must be 0 to 90 degrees, and its distances positive."
+                "The elevations of a sweep must be between 0 and 90 degrees, and its distances "
+                "must be positive."
             )
         if not 16 <= self.longest <= 2048:
             raise InputError(

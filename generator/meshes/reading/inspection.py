@@ -137,8 +137,8 @@ def check_pictures(
         sizes[hashlib.sha256(raw).digest()] = header.width * header.height
         if sum(sizes.values()) > maximum:
             return (
-                f"has textures with more than {maximum} pixels in total. Make them smaller or "
-                "fewer."
+                f"has textures with more than {maximum} pixels in total. Use smaller or fewer "
+                "textures."
             )
     return None
 
@@ -149,7 +149,7 @@ def _counts(header: Header) -> str | None:
         if not isinstance(listed, list) or not all(isinstance(entry, dict) for entry in listed):
             return f"is damaged: its {name} are not a list of objects. Export it again."
         if len(listed) > most:
-            return f"has {len(listed)} {name}; at most {most} are allowed. Join them."
+            return f"has {len(listed)} {name}; at most {most} are allowed. Merge some of them."
     return None
 
 
@@ -202,11 +202,11 @@ def _faces(header: Header, maximum: int) -> str | None:
     """Count the triangles drawn in all scenes; a mesh at two nodes counts twice."""
     per_mesh = [_mesh_amounts(header, mesh) for mesh in header.get("meshes", ())]
     if sum(parts for *_, parts in per_mesh) > bounds.MOST_MESHES:
-        return f"has meshes with more than {bounds.MOST_MESHES} pieces. Join them."
+        return f"has more than {bounds.MOST_MESHES} primitives in its meshes. Merge some of them."
     drawn: Counter[int] = Counter()
     for count, node in enumerate(shown_nodes(header), 1):
         if count > bounds.MOST_NODES:
-            return f"has scenes with more than {bounds.MOST_NODES} nodes in total. Join them."
+            return f"has more than {bounds.MOST_NODES} nodes in its scenes. Merge some of them."
         if "mesh" in node:
             drawn[int(node["mesh"])] += 1
     if drawn and not 0 <= min(drawn) <= max(drawn) < len(per_mesh):
@@ -219,7 +219,7 @@ def _faces(header: Header, maximum: int) -> str | None:
     if vertices > 3 * maximum:
         return f"has {vertices} vertices; at most {3 * maximum} are allowed. Remove unused ones."
     if parts > bounds.MOST_PARTS:
-        return f"has {parts} pieces; at most {bounds.MOST_PARTS} are allowed. Join them."
+        return f"has {parts} primitives; at most {bounds.MOST_PARTS} are allowed. Merge some."
     return None
 
 

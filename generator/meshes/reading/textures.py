@@ -60,7 +60,8 @@ class Pictures:
             self._room -= plain.shape[0] * plain.shape[1]
             if self._room < 0:
                 raise BackendError(
-                    f"{self._what} uses its textures with too many tints. Bake them, or use fewer."
+                    f"{self._what} uses its textures with too many colour factors. Bake the "
+                    "factors into the textures, or use fewer."
                 )
             self._places[at] = len(self.kept)
             self.kept.append(plain if (tint == 1).all() else _tint(plain, tint))

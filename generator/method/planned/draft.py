@@ -18,7 +18,7 @@ from ...scene import TABLE, Instance, Model, Placement, Rotation, ScenePlan
 from .matches import fresh_names, match_planned, rename_plan
 
 ALIKE = 1.35, 1.2
-"""Maximum ratio between corresponding sides of an object and of the plan's model, or of another
+"""Maximum ratio between corresponding sides of an object and of the planned model, or of another
 variant of its kind, if the drawing shows catalogue objects. Beyond it, the sizes differ."""
 
 REAL = 2.0, 1.5
@@ -113,9 +113,9 @@ def draft_scene(
     names = pairs | fresh_names(missing, {TABLE, *(i.name for i in instances)})
     renamed = rename_plan(plan, names)
     warnings = [
-        *(f"{i.name} is left out: the text describes no other {i.label}." for i in instances
+        *(f"{i.name} is left out: the prompt describes no further {i.label}." for i in instances
           if i.name in placed and i.name not in pairs.values()),
-        *(f"{names[o.name]} is not visible in the drawing; it is placed by the plan."
+        *(f"{names[o.name]} is not visible in the drawing; it is placed as planned."
           for o in missing),
     ]  # fmt: skip
     if not np.allclose(table.size, table_scale):
@@ -158,7 +158,7 @@ def draft_scene(
 
 def _plan_warning(name: str, reason: str, told: bool) -> str:
     """Return a warning that an object has the plan's shape, and the plan's yaw unless ``told``."""
-    tail = "" if told else " The drawing does not determine its yaw, so it is the plan's too."
+    tail = "" if told else " Its yaw is also the plan's, since the drawing does not determine it."
     return f"{name} is built from the plan: {reason}.{tail}"
 
 

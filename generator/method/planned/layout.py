@@ -77,7 +77,7 @@ def _lay_out(draft: SceneDraft, seed: int) -> Laid:
             return best
         warnings = (
             *layout.warnings,
-            "The table is the plan's, and all objects are placed on it again.",
+            "The planned table is used, and all objects were placed on it again.",
         )
         laid, _ = _judge(draft, layout.placements, table, warnings, ())
         if best is None or laid.faults < best.faults:
@@ -111,7 +111,7 @@ def _judge(
     culprits |= {o.target for o in unmet if o.name not in kept}
     moved = [n for n in draft.seen if n in places and n not in kept]
     if moved:
-        warnings = (*warnings, f"Placed by the plan instead of the drawing: {', '.join(moved)}.")
+        warnings = (*warnings, f"Placed as planned instead of as drawn: {', '.join(moved)}.")
     if lost:  # it is not known what the obstacle is
         culprits |= {*kept}
     return Laid(draft, ordered, table, warnings, tuple(unmet)), culprits

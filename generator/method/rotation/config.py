@@ -111,7 +111,9 @@ class RotationConfig:
     def __post_init__(self) -> None:
         require(self, "lambda_s", "lambda_e", "lambda_a", "fit_cost", minimum=0)
         if not self.lambda_s + self.lambda_e + self.lambda_a > 0:
-            raise InputError("RotationConfig needs one of lambda_s, lambda_e and lambda_a above 0.")
+            raise InputError(
+                "One of RotationConfig.lambda_s, lambda_e and lambda_a must be above 0."
+            )
         require(self, "coarse_step", above=0, maximum=np.pi)
         require(self, "separation", minimum=0, maximum=np.pi)
         require(self, "candidates", "rivals", "finalists", "thinning", minimum=1, integer=True)
@@ -128,7 +130,7 @@ class RotationConfig:
         require(self, "max_fit", "unsure", minimum=0, maximum=1)
         if not re.fullmatch(r"cpu|cuda(:\d+)?", str(self.device)):
             raise InputError(
-                f"RotationConfig needs device 'cpu', 'cuda' or 'cuda:N', got {self.device!r}."
+                f"RotationConfig.device must be 'cpu', 'cuda' or 'cuda:N', got {self.device!r}."
             )
 
     @classmethod

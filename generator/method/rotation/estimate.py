@@ -43,7 +43,7 @@ def estimate_rotations(
     things = [i for i in instances if i.name != TABLE]
     for instance in things:
         if instance.name not in models:
-            raise InputError(f"Instance {instance.name!r} has no model. Make the models first.")
+            raise InputError(f"Instance {instance.name!r} has no model. Create the models first.")
     hidden = [hiders(instance, things) for instance in things]
 
     def search_group(group: Sequence[int]) -> list[RotationAnswer]:

@@ -110,7 +110,7 @@ def _difference(again: EpisodeReplay) -> str:
     what = [part for part in (row.target, row.goal) if part]
     return (
         f"episode {again.number} (table {row.table}{', ' if what else ''}{', '.join(what)}, seed "
-        f"{row.seed}) is {_outcome(again.played)}, listed as {_outcome(row)}"
+        f"{row.seed}) is {_outcome(again.played)}, but is listed as {_outcome(row)}"
     )
 
 

@@ -43,9 +43,9 @@ class Doubt:
         many = f"{self.count} episode{'s' if self.count > 1 else ''}"
         value, limit = f"{self.value:g}", f"{self.limit:g}"
         sentences: dict[DoubtKind, str] = {
-            "too fast": f"{many} solved in {value} steps, but success must hold for {limit}",
+            "too fast": f"{many} solved in {value} steps, but success must hold for {limit} steps",
             "too long": f"{many} of {value} steps, but the time limit is {limit}",
-            "cut short": f"{many} not solved but ended after {value} of {limit} steps",
+            "cut short": f"{many} ended without success after {value} of {limit} steps",
             "reward too low": (
                 f"{many} solved with a mean reward of {value}, but the successful "
                 f"steps alone give {limit}"
@@ -71,7 +71,7 @@ def check_suite(result: BenchResult, suite: Suite) -> None:
     """
     if not suite_matches(result, suite):
         raise InputError(
-            f"The result of {result.player.name} at {result.suite} lists other episodes than "
+            f"The result of {result.player.name} on {result.suite} lists different episodes than "
             f"the package's suite {suite.of.version}. Run the suite again."
         )
 

@@ -46,7 +46,7 @@ def draw_places(count: int, result: BenchResult, seed: int) -> tuple[int, ...]:
     Raises:
         InputError: ``count`` is less than one.
     """
-    require_number("A check needs --episodes", count, minimum=1, integer=True)
+    require_number("--episodes", count, minimum=1, integer=True)
     total = len(result.episodes)
     drawn = np.random.default_rng(seed).choice(total, min(count, total), replace=False)
     return tuple(sorted(map(int, drawn)))
@@ -66,8 +66,8 @@ def player_of(result: BenchResult, suite: Suite, player: str | None) -> str:
         if player is not None:
             raise
         raise InputError(
-            f"The result names its policy {listed.name!r}, which was not found ({error}) Give "
-            "the file or the function with --policy."
+            f"The result's policy {listed.name!r} was not found: {error} Pass its file or "
+            "function with --policy."
         ) from error
     _check_same(facts, listed, name)
     return name
@@ -108,6 +108,6 @@ def _check_same(facts: PlayerFacts, listed: PlayerFacts, name: str) -> None:
     ]  # fmt: skip
     if other:
         raise InputError(
-            f"{name} is not the policy of the result of {listed.name} (other "
-            f"{', '.join(other)}). Give the original policy with --policy."
+            f"{name} is not the policy of the result of {listed.name} (different "
+            f"{', '.join(other)}). Pass the original policy with --policy."
         )

@@ -65,7 +65,7 @@ class CloningConfig:
         counts = ("rounds", "episodes", "steps", "last_steps", "batch")
         require(self, *counts, "tables", minimum=1, integer=True)
         require(self, "head_steps", minimum=0, integer=True)
-        require_known(self.head_start, get_args(HeadStart), "CloningConfig has no head_start")
+        require_known(self.head_start, get_args(HeadStart), "Unknown CloningConfig.head_start")
         require(self, "expert_share", minimum=0, maximum=1)
         require(self, "noise", minimum=0)
         require(self, "learning_rate", above=0)

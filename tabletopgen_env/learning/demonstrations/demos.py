@@ -137,7 +137,7 @@ def write_showings(shown: Sequence[GraspShowing], path: Path) -> None:
 def read_showings(path: Path) -> list[GraspShowing]:
     """Read a file of demonstrations; raise BundleError if it is damaged."""
     try:
-        kept = read_arrays(path, "The file of showings", InputError, max_bytes=_MAX_BYTES)
+        kept = read_arrays(path, "The file of demonstrations", InputError, max_bytes=_MAX_BYTES)
         maps, stands, grasps, counts = (kept[k] for k in ("maps", "stands", "grasps", "counts"))
         n, total = len(counts), int(counts.sum())
         shapes = (maps.shape, stands.shape, grasps.shape)
@@ -150,7 +150,7 @@ def read_showings(path: Path) -> list[GraspShowing]:
             raise ValueError("non-finite numbers")
     except (ValueError, KeyError, TypeError, InputError) as error:
         raise BundleError(
-            f"{path} is not a valid file of showings ({error}). Delete it."
+            f"{path} is not a valid file of demonstrations ({error}). Delete it."
         ) from error
     parts = np.split(grasps.astype(np.float32), np.cumsum(counts)[:-1]) if n else []
     return [GraspShowing(*row) for row in zip(maps, stands.astype(np.float32), parts, strict=True)]

@@ -133,7 +133,7 @@ def demonstrations(
             missed += 1
             if missed == 100:
                 raise SceneError(
-                    "The expert has no plan for 100 episodes in a row; use other scenes."
+                    "The expert found no plan in 100 consecutive episodes; use other scenes."
                 )
             continue
         missed = 0

@@ -114,7 +114,7 @@ def read_buffer(buffer: ReplayBuffer, path: Path) -> None:
         position, full, size = (int(v) for v in file["position"])
         held = size if full else position
         if size != buffer.buffer_size or not 0 <= position <= size:
-            raise ValueError(f"it holds a buffer of size {size}, not {buffer.buffer_size}")
+            raise ValueError(f"it contains a buffer of size {size}, not {buffer.buffer_size}")
         for name, array in own.items():
             array[:held] = _like(file[name], array[:held])
         buffer.pos, buffer.full = position, bool(full)

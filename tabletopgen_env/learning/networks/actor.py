@@ -143,7 +143,7 @@ def tensors_of(inputs: Inputs, observation: Any) -> tuple[Any, bool]:
     given = observation if several else {"": observation}
     if several != isinstance(observation, Mapping) or set(inputs) - set(given):
         raise InputError(
-            f"The policy needs an observation of {dict(inputs)}, got {_describe(observation)}."
+            f"The policy requires an observation of {dict(inputs)}, got {_describe(observation)}."
         )
     made, batch = {}, False
     for name, size in inputs.items():
@@ -151,7 +151,7 @@ def tensors_of(inputs: Inputs, observation: Any) -> tuple[Any, bool]:
         batch = part.ndim == len(shape) + 1
         if part.ndim not in (len(shape), len(shape) + 1) or part.shape[-len(shape) :] != shape:
             raise InputError(
-                f"The policy needs {name or 'an observation'} of {_entries(size)}, got "
+                f"The policy requires {name or 'an observation'} of {_entries(size)}, got "
                 f"{_describe(part)}. Create the environment with the policy's settings."
             )
         made[name] = torch.from_numpy(part if batch else part[None])

@@ -38,7 +38,7 @@ class GoalExtractor(BaseFeaturesExtractor):
         shapes = [parts[k].shape for k in ("achieved_goal", "desired_goal") if k in parts]
         if shapes != [(ENTRIES,)] * 2:
             raise InputError(
-                "GoalExtractor needs goal observations with one goal, got "
+                "GoalExtractor requires goal observations with one goal, got "
                 f"{observation_space}. Use the extractor 'flat'."
             )
         size = parts["observation"].shape[0] + len(GOAL_BOUNDS)

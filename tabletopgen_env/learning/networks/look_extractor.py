@@ -68,7 +68,7 @@ class LookExtractor(BaseFeaturesExtractor):
         shapes = {name: part.shape for name, part in parts.items()}
         if shapes != {"state": (_FLAT,), "height_map": height_map_space().shape}:
             raise InputError(
-                "LookExtractor needs the flat state and the height maps, got "
+                "LookExtractor requires the flat state and the height maps, got "
                 f"{observation_space}. Create the environment with geometry='height_map' and "
                 "without a grasp hint."
             )

@@ -60,7 +60,7 @@ class TableExtractor(BaseFeaturesExtractor):
         hinted = observation_space.shape == (_FLAT + _HINT,)
         if not hinted and observation_space.shape != (_FLAT,):
             raise InputError(
-                f"TableExtractor needs the flat state of {_FLAT} entries ({_FLAT + _HINT} with "
+                f"TableExtractor requires the flat state of {_FLAT} entries ({_FLAT + _HINT} with "
                 f"the grasp hint), got {observation_space}. Create the environment with "
                 "observation='state'."
             )

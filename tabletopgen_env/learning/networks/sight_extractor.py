@@ -52,7 +52,7 @@ class SightExtractor(LookExtractor):
         parts = getattr(observation_space, "spaces", {})
         if "proprio" not in parts or not cameras_of(parts):
             raise InputError(
-                f"SightExtractor needs pictures with depth, got {observation_space}. Create "
+                f"SightExtractor requires pictures with depth, got {observation_space}. Create "
                 "the environment with observation='pixels+proprio', kinds=['depth'], "
                 "target_mark='mask', calibration=True and instruction='none'."
             )

@@ -87,9 +87,9 @@ class SceneBank:
         robot: Panda | None = None,
         pictures: bool = False,
     ) -> None:
-        require_number("SceneBank needs max_objects", max_objects, minimum=1, integer=True)
+        require_number("max_objects", max_objects, minimum=1, integer=True)
         if max_parts is not None:
-            require_number("SceneBank needs max_parts", max_parts, minimum=1, integer=True)
+            require_number("max_parts", max_parts, minimum=1, integer=True)
         robot = robot or Panda()
         contents, left_out = _read(worlds, max_objects, max_parts, robot, pictures)
         if shape is None and contents:
@@ -190,7 +190,7 @@ def _stack(rows: list[Row]) -> Row:
 
 def _nothing_left(left_out: tuple[LeftOut, ...]) -> str:
     if not left_out:
-        return "A SceneBank needs at least one world, got none."
+        return "A SceneBank must have at least one world, got none."
     some = "; ".join(f"{scene.name!r}: {scene.reason}" for scene in left_out[:3])
     more = f"; and {len(left_out) - 3} more" if len(left_out) > 3 else ""
     return (

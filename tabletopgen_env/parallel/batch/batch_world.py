@@ -67,7 +67,7 @@ class BatchWorld:
         device: str | torch.device = "cuda",
         limits: BatchLimits | None = None,
     ) -> None:
-        require_number("BatchWorld needs num_worlds", num_worlds, minimum=1, integer=True)
+        require_number("num_worlds", num_worlds, minimum=1, integer=True)
         self.num_worlds = num_worlds
         self.device = find_device(device)
         self.limits = limits or BatchLimits.of(bank)
@@ -135,7 +135,9 @@ class BatchWorld:
         at = self._indices("worlds", worlds, self.num_worlds)
         of = self._indices("scenes", scenes, len(self.bank))
         if len(at) != len(of):
-            raise InputError(f"load needs a scene for each world, got {len(of)} for {len(at)}.")
+            raise InputError(
+                f"load requires one scene per world, got {len(of)} scenes for {len(at)} worlds."
+            )
         simulator, state = self._simulator, self.state
         for field, rows in simulator.fields.items():
             rows[at] = self._rows[field][of]
@@ -161,10 +163,10 @@ class BatchWorld:
         Raises:
             InputError: ``ctrl`` is not eight commands per world, or ``substeps`` is below 1.
         """
-        require_number("step needs substeps", substeps, minimum=1, integer=True)
+        require_number("substeps", substeps, minimum=1, integer=True)
         if tuple(ctrl.shape) != (self.num_worlds, 8):
             raise InputError(
-                f"step needs ctrl of shape ({self.num_worlds}, 8), got {tuple(ctrl.shape)}."
+                f"ctrl must have shape ({self.num_worlds}, 8), got {tuple(ctrl.shape)}."
             )
         wanted = ctrl.to(self.device, torch.float32)
         way = wanted[:, :7] - self._commanded
@@ -198,7 +200,7 @@ class BatchWorld:
         at = torch.as_tensor(given, dtype=torch.long)
         if at.device.type == "cpu" and len(at) and not 0 <= at.min() <= at.max() < count:
             wrong = sorted({k for k in at.tolist() if not 0 <= k < count})
-            raise InputError(f"Valid {name} are 0 to {count - 1}, got {wrong[:5]}.")
+            raise InputError(f"{name} must be from 0 to {count - 1}, got {wrong[:5]}.")
         return at.to(self.device)
 
     def _update_poses(self, at: Int[Tensor, "k"]) -> None:

@@ -60,10 +60,8 @@ class DeckConfig:
         for name in ("scenes", "episodes", "max_parts"):
             count = getattr(self, name)
             if count is not None or name == "episodes":
-                require_number(f"DeckConfig needs {name}", count, minimum=1, integer=True)
-        require_number(
-            "DeckConfig needs workers", self.workers, minimum=1, maximum=1024, integer=True
-        )
+                require_number(f"DeckConfig.{name}", count, minimum=1, integer=True)
+        require_number("DeckConfig.workers", self.workers, minimum=1, maximum=1024, integer=True)
         require_seed(self.seed)
 
 

@@ -90,8 +90,8 @@ def find_device(name: str | torch.device) -> torch.device:
     if number >= count:
         here = f"only {count} CUDA devices" if count else "no CUDA device that torch can use"
         raise InputError(
-            f"device={str(device)!r} is not available, there is {here}: install a CUDA build "
-            "of torch and a driver, or use device='cpu' (slow, for tests)."
+            f"device={str(device)!r} is not available; there is {here}. Install a CUDA build of "
+            "torch and a driver, or use device='cpu' (slow, for tests)."
         )
     return torch.device("cuda", number)
 

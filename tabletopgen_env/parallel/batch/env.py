@@ -105,7 +105,7 @@ class TabletopBatchEnv(VectorEnv[Any, Any, Any]):
     ) -> None:
         for name, count in (("num_envs", num_envs), ("max_episode_steps", max_episode_steps)):
             if count is not None or name == "num_envs":
-                require_number(f"TabletopBatchEnv needs {name}", count, minimum=1, integer=True)
+                require_number(name, count, minimum=1, integer=True)
         scenes, self.task = played_at(scenes, task, None)
         self._plan = DeckPlan(scenes, self.task, settings, max_objects, deck)
         config = read_settings(settings)
@@ -379,6 +379,5 @@ def time_limit(task: Task) -> int:
         if kind.__name__ in STEPS:
             return STEPS[kind.__name__]
     raise InputError(
-        f"No time limit is registered for {type(task).__name__}. Pass max_episode_steps, a number "
-        "of steps."
+        f"No time limit is registered for {type(task).__name__}. Pass one as max_episode_steps."
     )

@@ -49,7 +49,8 @@ class BatchLimits:
         require(self, "contacts", "depths", "rows", minimum=1, integer=True)
         if self.depths > self.contacts:
             raise InputError(
-                f"BatchLimits needs depths <= contacts, got {self.depths} and {self.contacts}."
+                f"BatchLimits.depths must be at most contacts, got {self.depths} and "
+                f"{self.contacts}."
             )
 
     @classmethod
@@ -92,7 +93,7 @@ def check_memory(bank: SceneBank, limits: BatchLimits, worlds: int, device: torc
         raise InputError(
             f"{worlds} worlds take about {worlds * each / 2**30:.1f} GiB, and {str(device)!r} "
             f"has {free / 2**30:.1f} GiB free: at most {free // each} fit. Use fewer worlds, "
-            "or lower BatchLimits."
+            "or lower the values of BatchLimits."
         )
 
 

@@ -23,7 +23,7 @@ def check_actions(actions: Any, count: int, space: spaces.Box) -> Float[np.ndarr
         InputError: the number of actions is wrong, or an action is invalid; a note names the slot.
     """
     if (given := _length(actions)) != count:
-        raise InputError(f"{count} slots need one action each, got {given}.")
+        raise InputError(f"{count} slots require one action each, got {given}.")
     if isinstance(actions, np.ndarray) and actions.dtype.kind in "fiu":
         array = actions.astype(np.float64)
         if array.shape == (count, *space.shape) and np.isfinite(array).all():
@@ -63,7 +63,7 @@ def read_seeds(seed: int | Sequence[int | None] | None, count: int) -> list[int 
         return [int(seed) + k for k in range(count)]
     if (given := _length(seed)) != count:
         raise InputError(
-            f"{count} slots need a single seed or a list of {count} seeds, got {given}."
+            f"{count} slots require a single seed or a list of {count} seeds, got {given}."
         )
     return list(seed)
 

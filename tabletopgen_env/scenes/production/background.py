@@ -60,8 +60,8 @@ class Background:
             self.folder = Path(tempfile.mkdtemp(prefix="tabletopgen-"))
         except OSError as error:
             raise StorageError(
-                f"Cannot create a temporary folder for new scenes: {error.strerror or error}. "
-                "Set TMPDIR."
+                f"A temporary folder for new scenes cannot be created: {error.strerror or error}. "
+                "Set TMPDIR to a folder with free space."
             ) from error
         self._workers = WorkerPool(count, begin=_step_back, folder=self.folder)
         self._waiting: deque[SceneRecipe] = deque()

@@ -44,7 +44,7 @@ class AnswerBook:
             (not folder.exists() and _count(self.folder) >= _MAX_STUDIES)
             or (folder.exists() and _count(folder) >= _MAX_RATERS)
         ):
-            raise RefusedError(507, "There are too many raters or studies; no more are accepted.")
+            raise RefusedError(507, "The limit of raters or studies is reached; none can be added.")
         kept = self._read(path)
         if _text(answer) in map(_text, kept):
             return len(kept)
@@ -55,7 +55,7 @@ class AnswerBook:
         if shared and _size(folder, path) + len(content) > _MAX_SHARED_BYTES:
             raise RefusedError(507, "The study has too many answers; no more are accepted.")
         make_private(folder)
-        write_whole(path, content, "The answer", "Free space there.")
+        write_whole(path, content, "The answer", "Free disk space.")
         return len(kept)
 
     def read(self, study: str) -> dict[str, list[Any]]:

@@ -24,7 +24,7 @@ MAX_BYTES = 20 * 2**20
 """Maximum size of an uploaded picture."""
 
 _KEPT_SECONDS = 24 * 3600.0  # minimum age for removal: a job may still be about to use the picture
-_ADVICE = "Free space there."
+_ADVICE = "Free disk space."
 
 
 @dataclass(frozen=True)

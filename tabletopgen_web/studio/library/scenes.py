@@ -155,7 +155,7 @@ class SceneLibrary:
             for path in views.iterdir():
                 if path.is_dir():
                     remove_tree(views, path.name)
-            write_whole(views / _MAKER, maker, "The version", "Free space there.")
+            write_whole(views / _MAKER, maker, "The version", "Free disk space.")
 
     # ------------------------------------------------------------------------------------ helpers
 

@@ -95,7 +95,7 @@ def storing(path: Path) -> Iterator[None]:
         yield
     except sqlite3.OperationalError as error:
         raise StorageError(
-            f"{path} cannot be read or written: {error}. Free space there, or choose another "
+            f"{path} cannot be read or written: {error}. Free disk space, or choose another "
             "--folder."
         ) from error
     except sqlite3.DatabaseError as error:

@@ -199,7 +199,7 @@ class JobStore(JobHistory):
         ((busy,),) = self._select("SELECT count(*) FROM jobs WHERE state IN ('queued', 'running')")
         if busy >= QUEUE_LIMIT:
             raise RefusedError(
-                429, f"{busy} jobs wait or run, which is the limit. Wait for one to end."
+                429, f"{busy} jobs are waiting or running, the maximum. Wait for one to end."
             )
 
     def _keep_reserve(self) -> None:

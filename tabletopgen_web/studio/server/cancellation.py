@@ -87,7 +87,9 @@ class EndingRequests:
             if not self._changes.closed:
                 raise
             if not started:
-                await JSONResponse({"error": "The studio ends."}, 503)(scope, receive, send)
+                await JSONResponse({"error": "The studio is shutting down."}, 503)(
+                    scope, receive, send
+                )
         finally:
             closing.cancel()
             working.cancel()

@@ -190,7 +190,7 @@ class StudioGuard:
             if study is not None:
                 return _show("This address is incomplete or no longer valid. Ask the sender for a "
                 "new one.", _STUDY_TITLE)  # fmt: skip
-            return _show("This is not the token of this studio. Each start creates a new one: "
+            return _show("This token does not belong to this studio. Each start creates a new one: "
             "open the address printed last.")  # fmt: skip
         if study is None:
             answer = RedirectResponse("/", status_code=303)

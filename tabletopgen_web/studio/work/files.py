@@ -45,5 +45,5 @@ def _pack(folder: Path) -> bytes:
 
 def _keep(order: JobOrder, name: str, content: bytes, facts: dict[str, Any]) -> dict[str, Any]:
     make_private(order.files)
-    write_whole(order.files / name, content, "The file", "Free space there.")
+    write_whole(order.files / name, content, "The file", "Free disk space.")
     return {"file": name, "bytes": len(content), "facts": facts}

@@ -59,7 +59,7 @@ class JobOrder:
     def start(self) -> Path:
         """The input scene of the job; raises InputError if it has none."""
         if self.bundle is None:
-            raise InputError("The job names no scene.")
+            raise InputError("The job does not specify a scene.")
         return self.bundle
 
 
@@ -94,5 +94,5 @@ class Telling:
             content = picture if isinstance(picture, bytes) else encode_png(picture)
             self._figures.mkdir(parents=True, exist_ok=True)
             path = self._figures / f"{stem}.png"
-            write_whole(path, content, "A figure", "Free space there.")
+            write_whole(path, content, "A figure", "Free disk space.")
             self.say(type="figure", name=path.name, stage=stage)

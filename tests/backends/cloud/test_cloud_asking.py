@@ -104,7 +104,7 @@ def test_a_wrong_answer_is_asked_again_with_what_is_wrong(
     assert last[1]["content"] == said[0]
     assert "kinds.0.count" in last[2]["content"]
     assert "greater than or equal to 1" in last[2]["content"]
-    assert "no JSON object" in last[4]["content"]
+    assert "no valid JSON object" in last[4]["content"]
 
 
 @pytest.mark.parametrize(

@@ -366,8 +366,8 @@ def test_another_thing_is_drawn_again_with_what_was_wrong(
     made = make_imager().complete(reference(), detections()["pen_1"], ())
     assert made.label == "pen"
     first, second = server.script.requests
-    assert "its shape is another" not in first.text
-    assert "its shape is another" in second.text
+    assert "another shape than the cut-out" not in first.text
+    assert "another shape than the cut-out" in second.text
 
 
 @pytest.mark.slow
@@ -375,7 +375,7 @@ def test_another_thing_is_drawn_again_with_what_was_wrong(
     ("paint", "told"),
     [
         (lambda side: np.random.default_rng(1).integers(0, 255, (side, side, 3), dtype=np.uint8),
-         "not one flat colour"),
+         "must be one flat colour"),
         (lambda side: np.full((side, side, 3), 255, np.uint8), "fills 0.0%"),
         (lambda side: np.full((side, side, 4), 255, np.uint8), "fills 0.0%"),
     ],
@@ -457,9 +457,9 @@ def seen_at_last(server: Running, make_imager: Make, first: str) -> None:
     ("answer", "told"),
     [
         (check([*GOOD[:2], sight(3)]), "The pen (number 3) was missing."),
-        (check([*GOOD[:2], sight(3, [1, 1, 9, 9], [50, 1, 90, 9])]), "was there 2 times."),
-        (check(GOOD, ["spoon"]), "There was a spoon that does not belong there."),
-        (check(GOOD, from_above=False), "did not look straight down."),
+        (check([*GOOD[:2], sight(3, [1, 1, 9, 9], [50, 1, 90, 9])]), "appeared 2 times."),
+        (check(GOOD, ["spoon"]), "There was a spoon, which does not belong in the picture."),
+        (check(GOOD, from_above=False), "was not from straight above."),
     ],
 )
 def test_a_wrong_top_view_is_drawn_again(
@@ -474,8 +474,8 @@ def test_a_wrong_top_view_is_drawn_again(
 @pytest.mark.parametrize(
     ("things", "told"),
     [
-        ([*GOOD[:2], sight(3, [100, 100, 300, 301])], "numbers 1 and 3 are given the same place"),
-        ([*GOOD[:2], sight(3, [9, 9, 1, 1])], "a box of number 3 is no box"),
+        ([*GOOD[:2], sight(3, [100, 100, 300, 301])], "numbers 1 and 3 must not have the same box"),
+        ([*GOOD[:2], sight(3, [9, 9, 1, 1])], "a box of number 3 is invalid"),
         (GOOD[:2], "no answer for number 3"),
     ],
 )
@@ -502,6 +502,6 @@ def test_geometry_stands_in_with_a_warning(server: Running, make_imager: Make) -
     (warning,) = top.warnings
     assert (
         "rendered from geometry" in warning
-        and "3 top views drawn by brush-1 were wrong." in warning
+        and "3 top views drawn by brush-1 could not be used." in warning
     )
     assert "The pen (number 3) was missing." in warning

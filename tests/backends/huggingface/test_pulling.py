@@ -212,7 +212,7 @@ def fake(tmp_path: Path, code: str, seconds: float = 60.0, least: int = 1) -> No
 
 def test_a_download_that_stands_still_is_ended(tmp_path: Path) -> None:
     code = "open(place, 'w').write(str(os.getpid()))\ntime.sleep(600)"
-    with pytest.raises(BackendError, match=r"pull of toy: less than 1 bytes .* run it again"):
+    with pytest.raises(BackendError, match=r"pull of toy: less than 1 bytes .* run the command"):
         fake(tmp_path, code, seconds=1.0)
     with pytest.raises(ProcessLookupError):
         os.kill(int((tmp_path / "file").read_text()), 0)

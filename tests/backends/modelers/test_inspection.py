@@ -121,7 +121,7 @@ def many_pieces(header: dict) -> None:
         (large_views, "its views claim"),
         (lambda h: h.update(accessors=[7]), "accessors are not a list of objects"),
         (picture_elsewhere, "outside its binary chunk"),
-        (many_pieces, "meshes with more than 20000 pieces"),
+        (many_pieces, "more than 20000 primitives"),
     ],
 )  # fmt: skip
 def test_headers_that_would_do_harm_are_refused(change, said):
@@ -158,7 +158,7 @@ def test_repeated_meshes_count_each_time(monkeypatch):
     with pytest.raises(BackendError, match=f"has {51 * 90} vertices; at most 600 are allowed"):
         inspect_glb(edited(raw, many), "it", most_faces=200)
     monkeypatch.setattr(inspection.bounds, "MOST_PARTS", 50)
-    assert "has 51 pieces; at most 50" in refusal(edited(GOOD, many))
+    assert "has 51 primitives; at most 50" in refusal(edited(GOOD, many))
 
 
 @pytest.mark.parametrize(

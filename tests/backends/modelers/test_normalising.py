@@ -172,7 +172,7 @@ def test_a_shape_that_reduction_would_destroy_is_refused():
     pins = [trimesh.creation.cylinder(0.01, 1, 12) for _ in range(24)]
     for k, pin in enumerate(pins):
         pin.apply_translation([k % 8 * 0.1, k // 8 * 0.1, 0])
-    with pytest.raises(BackendError, match="triangles and does not keep its shape with 200"):
+    with pytest.raises(BackendError, match="triangles and cannot be simplified to 200"):
         read(trimesh.util.concatenate(pins), to=Normal(faces=50))
 
 
@@ -242,7 +242,7 @@ def test_a_texture_too_small_for_all_faces_grows():
 
 
 def test_settings_out_of_range_are_refused():
-    with pytest.raises(InputError, match="Normal needs texture"):
+    with pytest.raises(InputError, match=r"Normal\.texture must"):
         Normal(texture=4096)
 
 

@@ -101,7 +101,9 @@ def test_many_tints_of_a_picture_are_refused():
     found = Pictures("the file:", maximum=3 * 64)
     for k in range(3):
         found.place(Image.open(io.BytesIO(png(k))), WHITE)
-    with pytest.raises(BackendError, match="the file: uses its textures with too many tints"):
+    with pytest.raises(
+        BackendError, match="the file: uses its textures with too many colour factors"
+    ):
         found.place(Image.open(io.BytesIO(png(0))), WHITE / 2)
 
 

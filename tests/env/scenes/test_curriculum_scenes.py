@@ -113,7 +113,7 @@ def test_what_lies_outside_the_edges_is_in_the_outer_bins() -> None:
      {"halflife": 0.0}],
 )  # fmt: skip
 def test_wrong_settings_of_a_sampler_are_explained(settings) -> None:
-    with pytest.raises(InputError, match="A curriculum needs"):
+    with pytest.raises(InputError, match="A curriculum must have"):
         DifficultySampler(**settings)
 
 
@@ -280,7 +280,7 @@ def test_scenes_can_be_a_curriculum_of_any_others() -> None:
     assert isinstance(starters, CurriculumScenes) and isinstance(starters.source, FixedScenes)
     assert make_env("curriculum", task="Tidy").source.source.prompts.needs  # type: ignore
     for wrong in ("curriculum:", "curriculum: ", "curriculum:curriculum:fresh"):
-        with pytest.raises(InputError, match="names no scenes for the curriculum"):
+        with pytest.raises(InputError, match="does not specify the curriculum's scenes"):
             resolve(wrong)
     with pytest.raises(InputError, match="not a fixed scene"):
         resolve(["curriculum:starter"])

@@ -129,7 +129,7 @@ def test_one_scene_in_memory_is_one_scene() -> None:
         (["starter", "refreshing"], "'refreshing' is not a fixed scene"),
         ([], "list is empty"),
         (5, "scenes has type int; pass .*'starter:train'"),
-        ([5], "cannot hold an item of type int"),
+        ([5], "cannot contain an item of type int"),
     ],
 )
 def test_what_is_no_scene_is_explained(scenes, message) -> None:

@@ -89,7 +89,7 @@ def test_slots_are_split_evenly_and_in_order(shards: Any) -> None:
     assert pids == [shards.pids[0], shards.pids[0], shards.pids[1]] and os.getpid() not in pids
     assert shards.visit(shard_tasks.pid, [2, 0]) == [pids[2], pids[0]]
     for wrong in (3, -1):
-        with pytest.raises(InputError, match="Slots must be 0 to 2, got"):
+        with pytest.raises(InputError, match="Slots must be from 0 to 2, got"):
             shards.visit(shard_tasks.pid, [wrong])
 
 
@@ -110,7 +110,7 @@ def test_attributes_are_called_got_and_set(shards: Any) -> None:
     shards.set_attr("reward", "dense")
     assert [len(rng.random(2)) for rng in shards.np_random] == [2, 2, 2]
     assert shards.visit(lambda env: env.unwrapped.world.data.time) == pytest.approx([0.05] * 3)
-    with pytest.raises(InputError, match="needs one value for each of the"):
+    with pytest.raises(InputError, match="requires one value for each of the"):
         shards.set_attr("reward", ["dense"])
     with pytest.raises(InputError, match="in other processes; use call"):
         _ = shards.envs
@@ -173,8 +173,8 @@ def test_what_cannot_be_sent_is_refused_before_anything_starts() -> None:
 @pytest.mark.parametrize(
     ("settings", "message"),
     [
-        ({"processes": 0}, "needs processes to be a whole number >= 1, got 0"),
-        ({"processes": 1.5}, "needs processes to be a whole number >= 1"),
+        ({"processes": 0}, "processes must be a whole number >= 1, got 0"),
+        ({"processes": 1.5}, "processes must be a whole number >= 1"),
         ({"processes": 2, "threads": 2}, "only one of threads=2 and processes=2"),
         ({"process": 2}, "no setting 'process'.*Did you mean 'processes'"),
         ({"processes": 1, "observation": "stat"}, "Did you mean 'state'"),
@@ -277,7 +277,7 @@ def test_a_source_that_fails_fails_the_reset() -> None:
 @pytest.mark.slow
 def test_an_episode_with_nothing_to_do_is_the_same_error_as_in_one_process() -> None:
     envs = TabletopVectorEnv(2, task="Stack", scenes=toy_scene([]), processes=1)
-    with pytest.raises(SceneError, match="No valid task") as caught:
+    with pytest.raises(SceneError, match="no valid task") as caught:
         envs.reset()
     assert "slot 0" in caught.value.__notes__[0]
     envs.close()

@@ -71,7 +71,7 @@ def test_options_are_those_of_ppo(small) -> None:
     for wrong, why in (
         ({"n_steps": 5}, "ppo-batch has no option 'n_steps'"),
         ({"gama": 0.5}, "Did you mean 'gamma'"),
-        ({"clip": "wide"}, "clip to be a number > 0"),
+        ({"clip": "wide"}, "clip must be a number > 0"),
         ({"rollout": 1, "minibatches": 64}, "cannot be split into 64 minibatches"),
     ):
         with pytest.raises(InputError, match=why):

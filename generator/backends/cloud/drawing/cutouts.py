@@ -143,8 +143,8 @@ def _register(mask: Mask, cutout: Cutout) -> tuple[float, Float[np.ndarray, "2"]
     beyond = float((own & (worth < 0)).sum() / max(seen.sum(), 1))
     if covered < _COVERED or beyond > _BEYOND:
         raise Wrong(
-            f"what was drawn covers {covered:.0%} of the thing that was cut out, and {beyond:.0%} "
-            "beside it: its shape is another."
+            f"the drawn object has another shape than the cut-out: it covers {covered:.0%} of the "
+            f"cut-out, and extends beyond it by {beyond:.0%} of the cut-out's area."
         )
     return scale, shift
 

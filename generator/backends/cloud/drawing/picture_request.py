@@ -43,12 +43,12 @@ _SEEDREAM = {"response_format": "b64_json", "watermark": False,
 """Request options for Seedream other than text and size."""
 
 _FAITHFUL = re.compile(r"gpt-image-([2-9]|1-mini)")
-"""Models that reject ``input_fidelity``, which is always high from version 2 on (checked on
-2026-11-28).
+"""Models that reject ``input_fidelity``; from version 2 on, the fidelity is always high (checked
+on 2026-11-28).
 """
 
 _OPAQUE = re.compile(r"gpt-image-[2-9]")
-"""Models that reject ``background``: from version 2 on, they draw no transparency."""
+"""Models that reject ``background``: from version 2 on, they cannot draw transparency."""
 
 _LONG = 2048  # pixels of the longer side, for servers that accept any size
 _BLOCKED = re.compile(
@@ -199,7 +199,7 @@ class Painter:
         if isinstance(address, str) and address.startswith("data:"):
             coded = coded or address.partition(",")[2]
         if not isinstance(coded, str | None) or not isinstance(address, str | None):
-            raise _Unusable("the answer contains no picture, but values of other types.")
+            raise _Unusable("the answer contains no picture: b64_json and url must be strings.")
         if not coded and not address:
             message = self.server.quote(str(first.get("error") or "neither b64_json nor url"))
             raise _Unusable(f"the answer contains no picture: {message}.")

@@ -76,7 +76,7 @@ def thing_in(picture: RGBA) -> Bool[np.ndarray, "h w"]:
     mask = main_parts(mask, 0.02)
     share = float(mask.mean())
     if not _LEAST <= share <= _MOST:
-        raise Wrong(f"the thing fills {share:.1%} of the picture; draw it as large as it was.")
+        raise Wrong(f"the object fills {share:.1%} of the picture; draw it as large as it was.")
     return mask
 
 
@@ -95,7 +95,7 @@ def _flat_ground(picture: UInt8[np.ndarray, "h w 3"]) -> Bool[np.ndarray, "h w"]
     border = _border(picture)
     usual = np.median(border, axis=0)
     if (apart(border, usual) <= _NEAR).mean() < _FLAT:
-        raise Wrong("the background is not one flat colour up to the picture's edges.")
+        raise Wrong("the background must be one flat colour up to the edges of the picture.")
     near = (apart(picture, usual) <= _NEAR).astype(np.uint8)
     count, found = cv2.connectedComponents(near, connectivity=4)
     numbers = np.asarray(found, np.intp)

@@ -28,14 +28,16 @@ def faults(chat: Chat, things: Labelled, drawn: UInt8[np.ndarray, "h w 3"]) -> t
     def sentences(answer: TopViewAnswer) -> tuple[str, ...]:
         seen = things.match(answer.things, without=(0,)).values()
         _check_places([(a.id, np.array(box)) for a in seen for box in a.boxes])
-        found = [] if answer.from_above else ["It did not look straight down."]
+        found = [] if answer.from_above else ["The view was not from straight above."]
         for sight in seen:
             called = f"The {things.by_number[sight.id].label} (number {sight.id})"
             if not sight.boxes and not sight.covered:
                 found.append(f"{called} was missing.")
             elif len(sight.boxes) > 1:
-                found.append(f"{called} was there {len(sight.boxes)} times.")
-        found += [f"There was a {word} that does not belong there." for word in answer.extra]
+                found.append(f"{called} appeared {len(sight.boxes)} times.")
+        found += [
+            f"There was a {word}, which does not belong in the picture." for word in answer.extra
+        ]
         return tuple(found)
 
     text = prompt("check_top_view", listing=things.names())
@@ -47,13 +49,13 @@ def _check_places(places: list[tuple[int, np.ndarray]]) -> None:
     for number, (x0, y0, x1, y1) in places:
         if not (x0 < x1 and y0 < y1):
             raise Wrong(
-                f"a box of number {number} is no box: it is [x0, y0, x1, y1] from 0 to {GRID}, "
-                "x0 < x1 and y0 < y1."
+                f"a box of number {number} is invalid: it must be [x0, y0, x1, y1] with values "
+                f"from 0 to {GRID}, x0 < x1 and y0 < y1."
             )
     for k, (one, a) in enumerate(places):
         for other, b in places[:k]:
             if one != other and _overlap(a, b) > _SAME:
-                raise Wrong(f"numbers {other} and {one} are given the same place; look again.")
+                raise Wrong(f"numbers {other} and {one} must not have the same box; look again.")
 
 
 def _overlap(a: np.ndarray, b: np.ndarray) -> float:
@@ -110,7 +112,7 @@ def turns(answer: OrientationAnswer) -> tuple[tuple[str, int], ...]:
         Wrong: both directions are on one axis.
     """
     if answer.up[1] == answer.along[1]:
-        raise Wrong(f'"along" is {answer.along}, but {answer.up} is up: they must be two axes.')
+        raise Wrong(f'"along" ({answer.along}) and "up" ({answer.up}) must be different axes.')
     steps = _UP[answer.up]
     lies = "xyz".index(answer.along[1])
     for axis, degrees in steps:

@@ -108,11 +108,13 @@ class Labelled:
         wanted = [n for n in self.by_number if n not in without]
         given = [a.id for a in answers if a.id not in without]
         wrong = {
-            "the list has no number": set(given) - set(wanted),
+            "the list does not contain number": set(given) - set(wanted),
             "there is no answer for number": set(wanted) - set(given),
             "more than one answer for number": {n for n in given if given.count(n) > 1},
         }
         faults = [f"{k} {', '.join(map(str, sorted(v)))}" for k, v in wrong.items() if v]
         if faults:
-            raise Wrong("; ".join(faults) + ". Answer for each number of the list once.")
+            raise Wrong(
+                "; ".join(faults) + ". Give exactly one answer for each number in the list."
+            )
         return {self.by_number[a.id].name: a for a in answers if a.id not in without}

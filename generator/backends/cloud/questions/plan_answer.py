@@ -29,14 +29,14 @@ def checked_text(text: object) -> str:
         InputError: it is not a string, is empty, or is too long.
     """
     if not isinstance(text, str):
-        raise InputError(f"Expected a text or a ScenePlan, got {type(text).__name__}.")
+        raise InputError(f"Expected a prompt or a ScenePlan, got {type(text).__name__}.")
     if not any(c.isalpha() for c in text):
         raise InputError(
-            "The text contains no words. Describe a tabletop, for example 'a desk with a lamp'."
+            "The prompt contains no words. Describe a tabletop, for example 'a desk with a lamp'."
         )
     if len(text) > _MOST:
         raise InputError(
-            f"The text has {len(text)} characters; the limit is {_MOST}. Describe one table in "
+            f"The prompt has {len(text)} characters; the limit is {_MOST}. Describe one table in "
             "a few sentences."
         )
     return text.strip()
@@ -53,7 +53,7 @@ def to_plan(prompt: str, answer: PlanAnswer) -> ScenePlan:
     """
     table = answer.table
     if table.legs == "trestle" and table.outline in ("triangle", "oval", "round"):
-        raise Wrong(f"a {table.outline} table has no trestle legs; choose others.")
+        raise Wrong(f"a {table.outline} table cannot have trestle legs; choose other legs.")
     names = _names(answer)
     listed = [_thing(thing, names) for thing in answer.things]
     objects, doubts = check_relations(grow_carriers([_shorten(thing) for thing in listed]))
@@ -75,9 +75,9 @@ def _names(answer: PlanAnswer) -> dict[int, str]:
     stems: list[str] = []
     for thing in answer.things:
         if thing.id in names:
-            raise Wrong(f"the number {thing.id} is given twice. Each thing has its own.")
+            raise Wrong(f"two objects have the number {thing.id}; each must have its own number.")
         if is_in_other_script(thing.noun):
-            raise Wrong(f"the noun {thing.noun!r} of thing {thing.id} is no English word.")
+            raise Wrong(f"the noun {thing.noun!r} of object {thing.id} must be in English.")
         stem = re.sub(r"[^0-9a-z]+", "_", _noun(thing.noun)).strip("_") or "object"
         stems.append("object" if stem == TABLE else stem)
         names[thing.id] = f"{stems[-1]}_{stems.count(stems[-1])}"
@@ -127,14 +127,16 @@ def _warn_of_length(thing: PlannedObject) -> str:
 
 def _relation(thing: ThingAnswer, relation: RelationAnswer, names: dict[int, str]) -> Relation:
     if relation.target and relation.target not in names:
-        raise Wrong(f"thing {thing.id} is related to number {relation.target}, which is no thing.")
+        raise Wrong(f"object {thing.id} is related to {relation.target}, which is not an object.")
     if relation.target and relation.kind in ("center", "edge"):
-        raise Wrong(f"thing {thing.id} is {relation.kind!r} of a thing; only of 0, the table.")
+        raise Wrong(
+            f"the relation {relation.kind!r} of object {thing.id} must be to the table, number 0."
+        )
     if not relation.target and relation.kind == "in":
-        raise Wrong(f"thing {thing.id} is in the table; things are on the table, 0.")
+        raise Wrong(f"object {thing.id} cannot be 'in' the table (0); it can only be 'on' it.")
     rests = [r for r in thing.relations if r.kind in ("on", "in")]
     if len({r.target for r in rests}) > 1:
-        raise Wrong(f"thing {thing.id} is on or in more than one other.")
+        raise Wrong(f"object {thing.id} is on or in several objects; only one is allowed.")
     return Relation(relation.kind, names[relation.target] if relation.target else TABLE)
 
 
@@ -151,11 +153,11 @@ def _groups(answer: PlanAnswer, names: dict[int, str]) -> Iterable[PlannedGroup]
     laid: set[int] = set()
     for group in answer.groups:
         told = [*group.things, *([group.around] if group.around else [])]
-        where = f"the {group.kind} of things {', '.join(map(str, told))}"
+        where = f"the {group.kind} of objects {', '.join(map(str, told))}"
         if strange := sorted({*told} - {*names}):
-            raise Wrong(f"{where} names number {strange[0]}, which is no thing.")
+            raise Wrong(f"{where} contains the number {strange[0]}, which is not an object.")
         if len({*told}) < len(told) or taken & {*told}:
-            raise Wrong(f"{where} names a thing twice, or one of another group.")
+            raise Wrong(f"{where} contains an object twice, or one of another group.")
         taken |= {*told}
         _check_group(group, where, laid, answer)
         if len(told) > 1:
@@ -167,12 +169,15 @@ def _groups(answer: PlanAnswer, names: dict[int, str]) -> Iterable[PlannedGroup]
 def _check_group(group: GroupAnswer, where: str, laid: set[int], answer: PlanAnswer) -> None:
     """Raise Wrong if a group does not fit its kind; ``laid`` contains the seats already used."""
     if group.around is not None and group.kind != "circle":
-        raise Wrong(f"{where} is around a thing; only a circle is.")
+        raise Wrong(f"{where} cannot have 'around'; only a circle can.")
     if (group.seat is not None) != (group.kind == "setting"):
-        raise Wrong(f"{where}: a setting has a seat, and nothing else has one.")
+        raise Wrong(f"{where}: a setting must have a seat, and other groups must not.")
     if group.seat is None:
         return
     counts = {g.seat.count for g in answer.groups if g.seat is not None}
     if len(counts) > 1 or group.seat.number > group.seat.count or group.seat.number in laid:
-        raise Wrong(f"{where}: seats are numbered 1 to their count, each once, all of one count.")
+        raise Wrong(
+            f"{where}: seats must be numbered from 1 to their count without repetition, and all "
+            "settings must have the same count."
+        )
     laid.add(group.seat.number)

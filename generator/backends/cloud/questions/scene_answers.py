@@ -22,10 +22,10 @@ def kinds(answer: KindsAnswer) -> tuple[str, ...]:
     nouns = [" ".join(kind.noun.lower().split()) for kind in answer.kinds]
     twice = sorted({n for n in nouns if nouns.count(n) > 1})
     if twice:
-        raise Wrong(f"these kinds are listed twice: {', '.join(twice)}. Give each once.")
+        raise Wrong(f"these kinds are listed twice: {', '.join(twice)}. List each kind once.")
     counts = {n: k.count for n, k in zip(nouns, answer.kinds, strict=True) if n != TABLE}
     if not counts:
-        raise Wrong("no kind of thing on the table is listed.")
+        raise Wrong("the answer lists no kind of object on the table.")
     return (TABLE, *(noun for noun, count in counts.items() for _ in range(count)))
 
 
@@ -57,18 +57,20 @@ def stacking(answer: RestsAnswer, shown: Labelled) -> dict[str, Stacking]:
 def _check_rest(rest: RestAnswer, shown: Labelled) -> None:
     for other in (rest.support, rest.leans_at or 0):
         if other and other not in shown.by_number:
-            raise Wrong(f"thing {rest.id} rests on or leans at {other}, which is not in the list.")
+            raise Wrong(
+                f"object {rest.id} rests on or leans against {other}, which is not in the list."
+            )
         if other == rest.id:
-            raise Wrong(f"thing {rest.id} rests on or leans at itself.")
+            raise Wrong(f"object {rest.id} cannot rest on or lean against itself.")
     if rest.how == "in" and not rest.support:
-        raise Wrong(f"thing {rest.id} is in the table; a thing on the table is on it.")
+        raise Wrong(f"object {rest.id} cannot be 'in' the table; it can only be 'on' it.")
 
 
 def _layer(name: str, supports: Mapping[str, tuple[str, bool]]) -> int:
     seen = [name]
     while (below := supports[seen[-1]][0]) != TABLE:
         if below in seen:
-            raise Wrong(f"these rest on one another in a circle: {', '.join(seen)}.")
+            raise Wrong(f"these objects rest on one another in a circle: {', '.join(seen)}.")
         seen.append(below)
     return 1 + len(seen)
 
@@ -81,7 +83,7 @@ def layout(
     beyond = [a.id for a in by_name.values() if abs(a.x) > length / 2 or abs(a.y) > width / 2]
     if beyond:
         numbers = ", ".join(map(str, beyond))
-        raise Wrong(f"these lie beyond the edge of the tabletop: {numbers}.")
+        raise Wrong(f"these objects lie beyond the edge of the tabletop: {numbers}.")
     return {
         name: LayoutBox(np.array([a.x, a.y]) / 100, np.array([a.length, a.width, a.height]) / 100)
         for name, a in by_name.items()

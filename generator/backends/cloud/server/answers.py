@@ -21,7 +21,7 @@ MOST_SEATS = 12
 
 def _check_printable(word: str) -> str:
     if not word.isprintable():
-        raise ValueError("holds characters that cannot be printed")
+        raise ValueError("contains characters that cannot be printed")
     return word
 
 

@@ -163,8 +163,8 @@ class Server:
         message = str(error) if first is None else f"{type(first).__name__}: {first}"
         return self.failure(
             question,
-            f"no response from {self.base_url} ({self.quote(message)}). Check that the server "
-            "runs.",
+            f"no response from {self.base_url} ({self.quote(message)}). Check that the server is "
+            "running.",
         )
 
 

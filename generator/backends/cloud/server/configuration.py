@@ -104,12 +104,12 @@ def checked_url(url: str) -> str:
     variables = "TABLETOPGEN_CLOUD_BASE_URL or TABLETOPGEN_CLOUD_IMAGE_BASE_URL"
     url = checked_address(
         url, "cloud: the base URL",
-        f"Correct {variables}; keys belong in TABLETOPGEN_CLOUD_KEY.",
+        f"Correct {variables}; pass keys in TABLETOPGEN_CLOUD_KEY.",
     )  # fmt: skip
     if split_url(url, "cloud: the base URL", BackendError).query:
         raise BackendError(
-            f"cloud: the base URL of {host(url)} contains a query. Keys belong in "
-            "TABLETOPGEN_CLOUD_KEY."
+            f"cloud: the base URL of {host(url)} must not contain a query. Set "
+            "TABLETOPGEN_CLOUD_KEY to pass a key."
         )
     return url
 

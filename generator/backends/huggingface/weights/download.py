@@ -56,7 +56,7 @@ def download(model: Pin, folder: Path) -> None:
         said = escape(" ".join(str(error).split())[:300])
         raise BackendError(
             f"{what} {model.repository} could not be downloaded ({type(error).__name__}: "
-            f"{said}). Partial downloads are kept; run it again."
+            f"{said}). Partial downloads are kept; run the command again."
         ) from error
 
 
@@ -102,7 +102,7 @@ def watch(
                     raise BackendError(
                         f"huggingface, pull of {name}: less than {minimum} bytes received in "
                         f"{seconds:g} s. Partial downloads are kept; check the network (or "
-                        "HF_ENDPOINT, if it is set), and run it again."
+                        "HF_ENDPOINT, if it is set), and run the command again."
                     )
             if process.returncode:
                 raise _error_of(process, name)
@@ -142,7 +142,7 @@ def _error_of(process: subprocess.Popen[bytes], name: str) -> TabletopError:
     except (BackendError, KeyError):
         return BackendError(
             f"{what} its process exited with code {process.returncode}. Partial downloads are "
-            "kept; run it again."
+            "kept; run the command again."
         )
 
 

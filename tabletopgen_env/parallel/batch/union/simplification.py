@@ -53,7 +53,7 @@ def cap_parts(scene: Scene, most: int) -> Scene:
     Raises:
         InputError: ``most`` is below 1.
     """
-    require_number("cap_parts needs most", most, minimum=1, integer=True)
+    require_number("most", most, minimum=1, integer=True)
     if all(len(thing.parts) <= most for thing in scene.objects):
         return scene
     capped = (replace(thing, parts=merge_parts(thing.parts, most)) for thing in scene.objects)

@@ -90,7 +90,7 @@ class SlotUnion:
         """
         if not np.array_equal(content.robot, self._robot):
             raise InputError(
-                f"The world of {content.name!r} has another robot than the bank: compile it "
+                f"The world of {content.name!r} has a different robot than the bank: compile it "
                 "with the same Panda, and do not modify its model."
             )
         row = {field: array.copy() for field, array in self._empty.items()}
