@@ -11,7 +11,7 @@ from changed import kept
 
 import assets_cache
 from generator import bundle, editing
-from generator.errors import BundleError, InputError, PlaceError, SceneError
+from generator.errors import BundleError, InputError, PlaceError
 from generator.physics.gate import judge
 
 DESK = {"laptop_1", "computer_mouse_1", "notebook_1", "pen_1", "mug_1", "stapler_1"}
