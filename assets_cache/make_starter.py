@@ -89,7 +89,7 @@ def make(folder: Path, recipes: Mapping[str, Recipe]) -> list[Path]:
 
 
 def remake(here: Path, folders: Mapping[str, Mapping[str, Recipe]]) -> None:
-    """Replace the folders of bundles in ``here``, by name, once all scenes are composed.
+    """Compose all scenes, and then replace the folders of bundles in ``here`` with these names.
 
     Raises:
         SceneError: a scene fails the checks, or the bundles are too large in total.
@@ -109,7 +109,7 @@ def remake(here: Path, folders: Mapping[str, Mapping[str, Recipe]]) -> None:
 
 
 def keep_certificates(old: Path, new: Path) -> int:
-    """Copy each certificate to its bundle in ``new`` if it is still valid; return their number.
+    """Copy the certificates that are still valid to the bundles in ``new``; return their number.
 
     Damaged certificates, and those of another scene, are not copied.
     """

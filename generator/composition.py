@@ -75,7 +75,7 @@ def compose(
 
 
 def _judge(rested: Rested, seen: Rest, config: AssemblyConfig | None) -> Scene:
-    """Return the scene with the gate's report, which includes the relations if it passed."""
+    """Run the physical gate on a scene; if that passes, its report also records the relations."""
     scene = finish(rested, config)
     assert scene.report is not None
     if not scene.report.passed:
@@ -91,7 +91,7 @@ def _rest_layout(
     name: str | None,
     config: AssemblyConfig | None,
 ) -> Rested:
-    """Return one layout of a plan at rest, not yet checked by the gate."""
+    """Lay out a plan and bring its objects to rest, without running the physical gate."""
     layout, table = lay_out(plan, models, layout_seed)
     provenance = Provenance(
         "compose", seed, plan.prompt, backends={"planner": "embedded"}, versions=versions(),

@@ -18,7 +18,7 @@ from tabletop_objects.errors import require_known as require_known
 
 
 class BackendError(TabletopError, RuntimeError):
-    """A backend is unknown, not installed, or failed to answer a request."""
+    """A backend is unknown or not installed, or it failed to answer a request."""
 
 
 class UnusableError(BackendError):
@@ -46,7 +46,7 @@ class MissingError(BundleError):
 
 
 class StorageError(TabletopError, OSError):
-    """A file operation failed: the folder is not writable, the disk is full or a lock was held."""
+    """A file operation failed: the folder is not writable, the disk is full, or a lock is held."""
 
 
 class SceneError(TabletopError, RuntimeError):

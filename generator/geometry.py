@@ -175,7 +175,7 @@ def view_rotation(view: View) -> Float[np.ndarray, "3 3"]:
 
 
 def ray_view(view: View, pixel: Real[np.ndarray, "2"], width: int, height: int) -> View:
-    """Return the view along the ray through ``pixel``.
+    """Return ``view`` with its direction replaced by that of the ray through ``pixel``.
 
     An object away from the image centre is seen along its own ray, so its azimuth and elevation
     differ from the camera's. ``fov`` and ``roll`` are unchanged.
@@ -252,7 +252,7 @@ def _sort_distinct(points: Float[np.ndarray, "n 2"]) -> Float[np.ndarray, "m 2"]
 
 
 def _half_outline(ordered: list[list[float]]) -> list[list[float]]:
-    """Return the left-turning corners of the path along ``ordered``, without the last one."""
+    """Return one half of the convex hull of sorted points, without its last point."""
     chain: list[list[float]] = []
     for x, y in ordered:
         while len(chain) > 1:
@@ -286,7 +286,7 @@ def _leave_inner_out(points: Float[np.ndarray, "n 2"]) -> Float[np.ndarray, "k 2
 def inside_margin(
     points: Float[np.ndarray, "*n 2"], outline: Float[np.ndarray, "k 2"]
 ) -> Float[np.ndarray, "m"]:
-    """Return each point's distance inside a convex counter-clockwise outline (negative outside)."""
+    """Return how far inside a convex counter-clockwise outline each point is (negative outside)."""
     ends = np.roll(outline, -1, axis=0)
     edges = ends - outline
     normals = np.column_stack([-edges[:, 1], edges[:, 0]])

@@ -46,7 +46,7 @@ class Family:
 
     @property
     def extent(self) -> Extent:
-        """The usual extent in metres."""
+        """The usual extent of a stand-in of this family, in metres."""
         return self.size if self.like is None else CATEGORIES[self.like].size
 
     @property

@@ -24,7 +24,7 @@ OUTLINES = ("rectangle", "square", "round", "oval", "triangle", "slatted")
 
 
 def outline_of(plan: PlannedTable) -> Float[np.ndarray, "k 2"]:
-    """Return the top's convex counter-clockwise outline of at most 16 points, in metres."""
+    """Return the tabletop's convex counter-clockwise outline of at most 16 points, in metres."""
     x, y, _ = plan.size
     if plan.outline in ("round", "oval"):
         circle = ellipse(2, 2, 16)
@@ -85,7 +85,7 @@ def _table(plan: PlannedTable, rng: np.random.Generator) -> Shape:
 
 
 def _top(plan: PlannedTable, low: float, high: float) -> tuple[list[Solid], ConvexPart]:
-    """Return the solids of the top and its single collision part, from z ``low`` to ``high``."""
+    """Return the solids and the one collision part of the tabletop, from z ``low`` to ``high``."""
     x, y, _ = plan.size
     outline = outline_of(plan)
     if plan.outline == "slatted":
@@ -111,7 +111,7 @@ def _top(plan: PlannedTable, low: float, high: float) -> tuple[list[Solid], Conv
 
 
 def _apron(plan: PlannedTable, top: float) -> list[Solid]:
-    """Return the boards under the rim of a rectangular top."""
+    """Return the boards under the rim of a rectangular tabletop."""
     x, y, _ = plan.size
     inset, tall, thick = 0.07, 0.06, 0.018
     long, deep = x - 2 * inset, y - 2 * inset
@@ -121,7 +121,7 @@ def _apron(plan: PlannedTable, top: float) -> list[Solid]:
 
 
 def _feet(plan: PlannedTable) -> Float[np.ndarray, "k 2"]:
-    """Return the points near the corners of the top (three for a triangle) where legs join it."""
+    """Return the points near the tabletop's corners (three for a triangle) where legs join it."""
     x, y, _ = plan.size
     if plan.outline == "triangle":
         return np.array([[-0.36, -0.39], [0.36, -0.39], [0.0, 0.26]]) * [x, y]
@@ -247,7 +247,7 @@ LEGS: Mapping[str, Callable[[Float[np.ndarray, "k 2"], float, float], Legs]] = M
 
 
 def _tiles(plan: PlannedTable, rng: np.random.Generator) -> tuple[Tile, Tile]:
-    """Return the textures of the top and of the legs."""
+    """Return the textures of the tabletop and of the legs."""
     words = plan.material.lower().replace("-", " ").split()
     asked = rgb(plan.color) if plan.color else None
     dark: RGB = (58, 58, 62)

@@ -1,4 +1,4 @@
-"""Processor count and the number of compute threads of this process."""
+"""Number of available processors and number of compute threads of this process."""
 
 from __future__ import annotations
 

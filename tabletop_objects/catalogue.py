@@ -1,4 +1,4 @@
-"""Functions that look up, build and locate the categories in ``objects`` by their index."""
+"""Functions that look up, build and locate the object categories listed in the index."""
 
 from __future__ import annotations
 
@@ -150,7 +150,7 @@ def build(
 def look_of(
     category: Category, seed: int, attributes: Mapping[str, str] = MappingProxyType({})
 ) -> Look:
-    """Return the seeded random choices for a variant; ``attributes`` override them."""
+    """Return the ``Look`` that makes a variant's random choices; ``attributes`` override them."""
     digest = hashlib.sha256(category.key.encode()).digest()
     rng = np.random.default_rng([int(seed) & 0xFFFFFFFF, int.from_bytes(digest[:4], "big")])
     return Look(rng, attributes)
@@ -162,7 +162,7 @@ def load_category(category: Category) -> Category:
 
 
 def find_declaration(key: str) -> Category | None:
-    """Return the category declared with a key, indexed or not, or None if there is none.
+    """Return the category declared with a key, even if it is not indexed, or None if there is none.
 
     Only the module that contains the declaration is imported.
     """

@@ -1,4 +1,4 @@
-"""Writer of ``index.json``: run ``python -m tabletop_objects.index``.
+"""Program that writes ``index.json``; run it as ``python -m tabletop_objects.index``.
 
 The index holds the properties of every category. Categories keep their ranks, because these affect
 random choices and decide which category an ambiguous alias refers to. New categories are appended

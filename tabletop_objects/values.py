@@ -41,7 +41,7 @@ def frozen_array(
     *,
     maximum: float | None = None,
 ) -> np.ndarray:
-    """Return a read-only copy of ``value`` as ``dtype``, after checking shape and finiteness.
+    """Convert ``value`` to a read-only array of type ``dtype``; check its shape and finiteness.
 
     A read-only array of this type that is not a view is returned as it is. ``None`` in
     ``shape`` accepts any length along that axis; ``maximum`` bounds the absolute values.
@@ -89,9 +89,10 @@ PartKind = Literal["hull", "box", "cylinder", "ellipsoid"]
 
 @dataclass(frozen=True, eq=False)
 class Mesh:
-    """A textured triangle mesh with ``uv`` per vertex; vertices are duplicated along seams.
+    """A textured triangle mesh with texture coordinates ``uv`` per vertex.
 
-    Faces are counter-clockwise seen from outside. ``opacity`` below 1 renders it as glass.
+    Vertices along texture seams are duplicated. Faces are counter-clockwise seen from outside.
+    ``opacity`` below 1 renders it as glass.
     """
 
     vertices: Float[np.ndarray, "n 3"]
@@ -155,13 +156,13 @@ class ConvexPart:
         return corners
 
     def __getstate__(self) -> dict[str, Any]:
-        """Return the state without the cached bounds."""
+        """Return the state for copying or pickling, without the cached bounds."""
         return {"vertices": self.vertices, "kind": self.kind, "axis": self.axis}
 
 
 @dataclass(frozen=True, eq=False)
 class Slot:
-    """A slot of a holder for one object.
+    """A slot for one object in a holder, such as a toast rack.
 
     ``at`` is where the centre of the object's underside goes, in the holder's canonical frame;
     ``yaw`` is the object's rotation relative to the holder, in radians; and ``name`` is the
@@ -178,7 +179,7 @@ class Slot:
 
 @dataclass(frozen=True)
 class Physics:
-    """The physical properties of an object: ``density`` in kg/m^3 and sliding ``friction``.
+    """The physical properties of an object: the ``density`` in kg/m^3 and the sliding ``friction``.
 
     Without a ``shell``, the mass is density times the mesh's volume. Otherwise the object is hollow
     with walls ``shell`` metres thick: the mass is density times surface area times ``shell``.
@@ -236,7 +237,7 @@ class Model:
 
 
 def to_unit_box(mesh: Mesh) -> tuple[Mesh, Float[np.ndarray, "3"], Float[np.ndarray, "3"]]:
-    """Normalise ``mesh`` to the canonical unit box.
+    """Scale and centre ``mesh`` so that it fills the canonical unit box.
 
     Returns the mesh and its original ``center`` and ``extent``: ``v_unit = (v - center) / extent``.
     A flat mesh gets an extent of at least 1e-4 along its flat axis before the division.
@@ -273,7 +274,7 @@ class Holder:
     room: Extent
 
     def stand(self, extent: Extent) -> Extent:
-        """Return the extent of an object in its slot, in metres along the holder's x, y and z."""
+        """Return an object's extent in its slot, in metres along the holder's x, y and z axes."""
         narrow, middle, longest = sorted(extent)
         if self.stance == "edge":
             return narrow, longest, middle

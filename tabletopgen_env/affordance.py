@@ -181,7 +181,7 @@ def opening(obj: Object) -> Opening | None:
 
 
 class _Scan(NamedTuple):
-    """A body scanned from above: its bounding box, and the position and height of each cell (m)."""
+    """A scan of a body from above: its bounding box, and each cell's position and height (m)."""
 
     low: Float[np.ndarray, "3"]
     high: Float[np.ndarray, "3"]
@@ -191,7 +191,7 @@ class _Scan(NamedTuple):
 
 
 def _scan(obj: Object, count: Int[np.ndarray, "2"]) -> _Scan:
-    """Scan an object on a grid of ``count`` cells along the body's x and y axes."""
+    """Scan an object from above, on ``count`` cells along the body's x and y axes."""
     low, high = (f(collision_points(obj), axis=0) for f in (np.min, np.max))
     cell = (high - low)[:2] / count
     middles = [low[k] + cell[k] * (np.arange(count[k]) + 0.5) for k in (0, 1)]
@@ -200,7 +200,7 @@ def _scan(obj: Object, count: Int[np.ndarray, "2"]) -> _Scan:
 
 
 def _opening(scan: _Scan, rim: float, inner: Bool[np.ndarray, "nx ny"]) -> Opening | None:
-    """Return the opening over the cells ``inner`` up to ``rim``, or None if it is too shallow."""
+    """Return the opening over the cells ``inner`` below ``rim``, or None if it is too shallow."""
     low, high, x, y, top = scan
     if not inner.any():
         return None
@@ -221,7 +221,7 @@ def _opening(scan: _Scan, rim: float, inner: Bool[np.ndarray, "nx ny"]) -> Openi
 
 @dataclass(frozen=True, eq=False)
 class Plateau:
-    """The flat top of an object: the largest disc on it, in metres in the body frame."""
+    """The largest disc on the flat top of an object, in metres in the body frame."""
 
     center: Float[np.ndarray, "3"]
     radius: float
@@ -251,7 +251,7 @@ def plateau(obj: Object) -> Plateau | None:
 
 
 def _outside(top: Float[np.ndarray, "nx ny"]) -> Bool[np.ndarray, "nx ny"]:
-    """Return a mask of the cells outside the solid and of the solid's cells next to them."""
+    """Return a mask of the cells outside a solid, extended by one cell into the solid."""
     # Parts may leave hairline gaps between them.
     whole = np.asarray(ndimage.binary_fill_holes(np.isfinite(top)), dtype=bool)
     return ndimage.binary_dilation(np.pad(~whole, 1, constant_values=True))[1:-1, 1:-1]
@@ -260,7 +260,7 @@ def _outside(top: Float[np.ndarray, "nx ny"]) -> Bool[np.ndarray, "nx ny"]:
 def _hollow(
     top: Float[np.ndarray, "nx ny"], level: float, outside: Bool[np.ndarray, "nx ny"]
 ) -> Bool[np.ndarray, "nx ny"]:
-    """Return a mask of the largest connected region below a level that excludes the outside."""
+    """Return a mask of the largest region below ``level`` that is separate from ``outside``."""
     labels = np.empty(top.shape, dtype=np.int32)
     ndimage.label(np.isfinite(top) & (top < level), output=labels)  # type: ignore[arg-type]
     sizes = np.bincount(labels.ravel())
@@ -273,7 +273,7 @@ def _hollow(
 def scan_surface(
     parts: Iterable[ConvexPart], axes: Sequence[Float[np.ndarray, "_"]]
 ) -> Float[np.ndarray, "nx ny"]:
-    """Return the height of the highest surface over a grid of x and y, or -inf if there is none."""
+    """Return the height of the highest surface at each grid point, or -inf where there is none."""
     heights = np.full((len(axes[0]), len(axes[1])), -np.inf)
     for part, cells, points in cells_under(parts, axes):
         window = heights[cells]
@@ -284,7 +284,7 @@ def scan_surface(
 def cells_under(
     parts: Iterable[ConvexPart], axes: Sequence[Float[np.ndarray, "_"]]
 ) -> Iterator[tuple[ConvexPart, tuple[slice, slice], Float[np.ndarray, "n 2"]]]:
-    """Yield each part over a grid, with the cells within its bounds and their positions."""
+    """Yield each part that overlaps a grid, with the cells in its bounds and their positions."""
     for part in parts:
         low, high = part.bounds
         i, j = (
@@ -310,7 +310,7 @@ def top_surface(
 def part_span(
     part: ConvexPart, points: Float[np.ndarray, "n 2"]
 ) -> tuple[Int[np.ndarray, "m"], Float[np.ndarray, "m"], Float[np.ndarray, "m"]]:
-    """Return which points (x, y) lie over a part, and the heights of its lower and upper surfaces.
+    """Return the indices of the points (x, y) over a part, and the part's lower and upper heights.
 
     The surfaces are the highest downward-facing and the lowest upward-facing plane of its hull.
     """
@@ -327,14 +327,14 @@ def part_span(
 
 @lru_cache(maxsize=1024)
 def _planes(part: ConvexPart) -> Float[np.ndarray, "p 4"]:
-    """Return the planes of a hull's faces: the outward normals, and the offsets in metres."""
+    """Return the planes of the faces of a part's hull: outward normals, and offsets in metres."""
     return ConvexHull(part.vertices, qhull_options="QJ").equations
 
 
 def _span(
     planes: Float[np.ndarray, "p 4"], points: Float[np.ndarray, "n 2"]
 ) -> tuple[Bool[np.ndarray, "n"], Float[np.ndarray, "n"], Float[np.ndarray, "n"]]:
-    """Return whether the half-spaces intersect at each point (x, y), and between which heights."""
+    """Return whether each (x, y) is over the hull, and the hull's lower and upper height there."""
     # Avoid a matrix product: at this size it wakes BLAS threads, which then spin for 80 ms.
     nz = planes[:, 2]
     upper, lower, wall = (planes[k] for k in (nz > 1e-9, nz < -1e-9, np.abs(nz) <= 1e-9))

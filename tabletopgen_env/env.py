@@ -438,7 +438,7 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
 
 
 class GoalTabletopEnv(TabletopEnv):
-    """An environment with goal-dict observations, whose two goals alone determine the reward.
+    """An environment with dict observations; their two goals alone determine the reward.
 
     Hindsight replay (SB3's ``HerReplayBuffer``) calls ``compute_reward`` with relabelled goals.
     """
@@ -482,7 +482,7 @@ def make_env(
     preset: str | None = None,
     **settings: Unpack[Settings],
 ) -> TabletopEnv:
-    """Create the environment for ``observation``; this is the entry point of the registered ids.
+    """Create the environment that fits ``observation``; the registered ids call this function.
 
     Args:
         scenes: the source of tables; None for the default of the task (``Task.scenes``).

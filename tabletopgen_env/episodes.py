@@ -20,7 +20,7 @@ def episode_seeds(*key: int) -> Iterator[int]:
 
 
 class Held:
-    """A counter of consecutive successful steps that reports when ``steps`` are reached."""
+    """A counter of consecutive successful steps, which reports when it reaches ``steps``."""
 
     def __init__(self, steps: int = HOLD) -> None:
         self._steps = steps
@@ -33,7 +33,7 @@ class Held:
 
 
 class EndOnSuccess(gym.Wrapper):
-    """A wrapper that ends an episode once success has lasted, as in this package's evaluations.
+    """A wrapper that ends an episode after ``steps`` successful steps in a row, as in evaluations.
 
     Use it for evaluation in other libraries, but do not train on the dense reward with it, because
     that reward is highest while the task remains solved.

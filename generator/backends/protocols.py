@@ -153,7 +153,7 @@ class Imager(Protocol):
     def complete(
         self, reference: Reference, detection: Detection, others: tuple[Detection, ...]
     ) -> Instance:
-        """Redraw one object complete and clean (Sec. 3.1, Fig. 21). ``others`` may hide it.
+        """Redraw one object completely and cleanly (Sec. 3.1, Fig. 21). ``others`` may hide it.
 
         The returned instance keeps the detection's label, box and mask; its name is its label (the
         stage makes names unique).
@@ -202,7 +202,7 @@ class Modeler(Protocol):
     """Conversion of images to 3D models (Sec. 3.2)."""
 
     def model(self, instance: Instance, size: SizePrior, view: View) -> Model:
-        """Make a textured model of one instance or the table; it may be off by quarter turns.
+        """Make a textured model of one instance or the table, possibly rotated by quarter turns.
 
         ``view`` is along the instance's own ray; ``size`` is the prior.
         """

@@ -130,7 +130,7 @@ class Backends:
     def select(
         cls, default: str = "embedded", *, session: Session | None = None, **roles: Any
     ) -> Backends:
-        """Return backends by name; individual roles may be set to a name or to your own object.
+        """Return backends selected by name; each role may be set to a name or to your own object.
 
         ``default`` is used for the roles (``reasoner``, ``imager``, ``segmenter``, ``modeler``,
         ``encoder``) that ``roles`` does not set. Backends selected by name that call servers share
@@ -167,7 +167,7 @@ class Backends:
                 check()
 
     def each(self, role: str) -> Each:
-        """Return a function that applies a role to many items, concurrently with a ``session``.
+        """Return a function that applies ``work`` to items, concurrently if the role has a session.
 
         Only calls to servers are concurrent; local computation is sequential.
         """
@@ -179,7 +179,7 @@ class Backends:
         return any(hasattr(getattr(self, role), "session") for role in PROTOCOLS)
 
     def for_text(self) -> Backends:
-        """Return the backends for pictures drawn from a text; their modeler may be a faster one."""
+        """Return these backends for pictures drawn from a text, possibly with a faster modeler."""
         quick = getattr(self.modeler, "for_text", None)
         return self if quick is None else dataclasses.replace(self, modeler=quick())
 

@@ -111,7 +111,7 @@ def check_listed(files: object) -> None:
 def check_drawn(
     meshes: Sequence[tuple[int, int]], shown: Sequence[tuple[int, int]], texels: Sequence[int]
 ) -> None:
-    """Check meshes and textures by their headers.
+    """Check the counts in the headers of meshes and textures against the limits.
 
     ``meshes`` are the numbers of vertices and triangles of each stored mesh, ``shown`` are those of
     each body's mesh, and ``texels`` are the numbers of texels of each stored texture.
@@ -129,7 +129,7 @@ def check_drawn(
 
 
 def _of(entry: object, key: str, kind: type, who: str) -> Any:
-    """Return a field whose value is a list or an object."""
+    """Return a field of a JSON object after checking that its value is a ``kind``."""
     value = cast("dict[str, Any]", entry).get(key) if isinstance(entry, dict) else None
     if type(value) is not kind:
         raise BundleError(

@@ -48,7 +48,7 @@ def loads(raw: bytes, where: str) -> dict[str, Any]:
 
 
 def decode_scene(payload: Mapping[str, Any], file: Callable[[str], bytes]) -> Decoded:
-    """Return the scene of ``encode_scene``; ``file`` returns a file's content, given its path.
+    """Decode the result of ``encode_scene``; ``file`` returns a file's content for its path.
 
     Raises:
         BundleError: the scene is out of bounds, or a field, a mesh or a texture is not as it was

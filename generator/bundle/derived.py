@@ -93,7 +93,7 @@ def check_starts(model: mujoco.MjModel, name: str) -> None:
 
 
 def _parse(raw: bytes, maximum: int) -> ET.Element:
-    """Parse at most ``maximum`` bytes of elements without declarations, entities or comments."""
+    """Parse XML of at most ``maximum`` bytes; reject declarations, entities and comments."""
     if len(raw) > maximum:
         raise BundleError(
             f"scene.xml does not match scene.json: it has {len(raw)} bytes; at most {maximum} are "
@@ -129,7 +129,7 @@ def _difference(wanted: ET.Element, found: ET.Element) -> str:
 
 
 def _close(key: str, wanted: str, found: str) -> bool:
-    """Return whether an attribute is computed and its numbers agree to within rounding."""
+    """Return whether an attribute is a computed one whose numbers agree to within rounding."""
     words = found.split(" ")
     if key not in _COMPUTED or not all(map(_NUMBER.fullmatch, words)):
         return False

@@ -101,7 +101,7 @@ def _encode_report(report: Report | None) -> dict[str, Any] | None:
 
 
 def _encode_plan(plan: ScenePlan | None) -> dict[str, Any] | None:
-    """Return the plan without empty groups, default families or the usual density."""
+    """Return a plan as JSON, omitting empty groups, default families and the usual density."""
     encoded = _without_empty(_printable(plain(plan)), "groups")
     if encoded is not None:
         if encoded["density"] == "normal":

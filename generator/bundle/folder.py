@@ -300,7 +300,7 @@ def _read(folder: Path, payload: dict[str, Any], visuals: bool = False) -> Scene
 
 
 def _contents(folder: Path, listed: Mapping[str, Any]) -> dict[str, bytes]:
-    """Check every listed file; return those that make up the scene."""
+    """Check every listed file; return the contents of those that make up the scene."""
     contents: dict[str, bytes] = {}
     for name, entry in listed.items():
         content = read_listed(folder, name, entry)

@@ -69,7 +69,7 @@ def load_kinds(path: str | Path) -> list[tuple[str, str]]:
 
 @steady
 def load_report(path: str | Path) -> dict[str, Any]:
-    """Read a bundle's gate report and the number of ``objects`` that it covers, field by field.
+    """Read a bundle's gate report as a dictionary, with the number of objects as "objects".
 
     Raises:
         BundleError: there is no bundle, or its ``scene.json`` is damaged or has no report.

@@ -100,7 +100,7 @@ def discard(path: Path) -> bool:
 
 @contextlib.contextmanager
 def staging_in(folder: Path) -> Generator[Path, None, None]:
-    """Yield a new folder in a staging folder of ``folder``, removed at the end unless renamed.
+    """Yield a new folder in a staging folder of ``folder``; it is removed later unless renamed.
 
     Raises:
         OSError: the folder cannot be created or removed.
@@ -190,7 +190,7 @@ def _make_staging(folder: Path) -> tuple[Path, int]:
 
 
 def _lock(descriptor: int) -> bool:
-    """Lock a new folder unless a process whose clock is far ahead is about to remove it."""
+    """Lock a new folder; return False if a process whose clock is far ahead is removing it."""
     try:
         fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
     except BlockingIOError:
@@ -214,7 +214,7 @@ def _remove_if_stale(folder: Path, name: str) -> None:
 
 
 def _remove(staging: Path) -> None:
-    """Remove a staging folder, with its marker last so that it stays marked if interrupted."""
+    """Remove a staging folder, and its marker last, so that an interruption leaves it marked."""
     remove_tree(staging, _INNER)
     remove_file(staging, _MARKER)
     staging.rmdir()

@@ -34,7 +34,7 @@ _TALK = 131_072  # tokens of an unlimited chat answer, including the model's rea
 
 @dataclass(frozen=True)
 class Question:
-    """One call: its question and model, the key of its content, and its price.
+    """One call: its question, its model, its key in the call store, and its price.
 
     ``at`` is the server's host, with its port if it has one.
     """
@@ -49,7 +49,7 @@ class Question:
     at: str = ""
 
     def __str__(self) -> str:
-        """Return the name of the call in messages."""
+        """Return the name that messages use for the call."""
         return f"{self.server}, {self.name}" + f" ({self.model})" * bool(self.model)
 
     def money(self, usage: Usage) -> float | None:
@@ -79,7 +79,7 @@ NOTHING = Usage()
 
 
 def question(request: httpx2.Request, server: str, prices: Prices) -> Question:
-    """Return the question of a request and remove the internal headers that describe it.
+    """Return a request's ``Question``, and remove the internal headers that describe it.
 
     Raises:
         BackendError: ``x-tabletopgen-memo`` is not "yes", "no" or "renew".

@@ -171,7 +171,7 @@ class Session(SessionState):
 
 
 def _results(futures: Sequence[Future[R]]) -> list[R]:
-    """Return the results, or raise the first item's error other than StoppedError."""
+    """Return the results, or raise the first error, preferably one other than StoppedError."""
     errors = [error for f in futures if (error := f.exception()) is not None]
     dry = [str(error) for error in errors if isinstance(error, DryRunError)]
     if len(dry) > 1 and len(dry) == len(errors):

@@ -1,4 +1,4 @@
-"""The state of a session that calls use: settings, waits and stops."""
+"""The part of a session's state that its calls use: settings, waits and stops."""
 
 from __future__ import annotations
 

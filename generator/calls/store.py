@@ -86,7 +86,7 @@ class CallStore:
         return answer
 
     def put(self, key: str, answer: StoredAnswer) -> None:
-        """Store an answer atomically, while ``holding`` its question.
+        """Store an answer atomically; the caller must be ``holding`` the lock of its question.
 
         Raises:
             StorageError: the answer is larger than the store or the maximum size, or the disk

@@ -102,7 +102,7 @@ class PaidTransport(httpx2.BaseTransport):
         logging.getLogger(__name__).warning("%s", told)
 
     def _send(self, request: httpx2.Request, secrets: tuple[str, ...]) -> Future[Reply | Trouble]:
-        """Start one attempt."""
+        """Send a request once in a background thread; return the future of its outcome."""
 
         def dial(until: float) -> Wire:
             return Wire(until, self.trust, self._proxy)

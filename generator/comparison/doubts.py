@@ -26,7 +26,7 @@ _MANY = 3  # the match fails if one in this many objects is missing
 
 @dataclass(frozen=True)
 class PictureMatch:
-    """How well a scene's view matches its picture.
+    """The agreement between a scene's view and its picture.
 
     ``mean_iou`` is the mean overlap (intersection over union, in [0, 1]) of the outlines of the
     objects detected in the picture; undetected objects are not counted. It is None if the

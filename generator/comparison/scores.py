@@ -69,7 +69,7 @@ class Comparison:
         return float(np.mean(known)) if known else None
 
     def silhouette(self, name: str) -> Bool[np.ndarray, "h w"]:
-        """Return the rendered pixels of the table or an object, or none if no such body exists."""
+        """Return rendered pixels of the table or an object, or an empty mask if it is missing."""
         names = [TABLE, *(thing.name for thing in self.scene.objects)]
         shown = np.asarray(self.rendered.ids)
         return shown == names.index(name) if name in names else np.zeros(shown.shape, bool)

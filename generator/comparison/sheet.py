@@ -99,7 +99,7 @@ def _outline(
 
 
 def _feet(masks: Mapping[str, Bool[np.ndarray, "h w"]]) -> dict[str, Float[np.ndarray, "2"]]:
-    """Return the pixel below the middle of each mask, for its name."""
+    """Return the pixel below the middle of each mask, where its name is drawn."""
     boxes = {name: mask_box(mask) for name, mask in masks.items() if mask.any()}
     return {name: np.array([(box[0] + box[2]) / 2, box[3]]) for name, box in boxes.items()}
 

@@ -289,7 +289,7 @@ def _facing(old: Object, size: np.ndarray, natural: float) -> float:
 
 
 def _exchange(scene: Scene, name: str, new: Object) -> Scene:
-    """Return the scene with one object replaced and with the objects on or in it reassigned."""
+    """Return the scene with one object replaced, and those on or in it moved to the new one."""
 
     def exchange(thing: Object) -> Object:
         if thing.name == name:
@@ -319,7 +319,7 @@ def _check_move(where: object, turn: float) -> None:
 
 
 def _aside(wanted: Scene, done: Scene, name: str) -> tuple[str, ...]:
-    """Return a warning if an object is not where it was requested."""
+    """Return a warning if an object could not be placed where it was requested."""
     places = [s.object(name).pose.position[:2] for s in (wanted, done)]
     aside = float(np.linalg.norm(places[1] - places[0]))
     message = (

@@ -135,7 +135,7 @@ def find_connected(before: Scene, now: Scene, names: Collection[str], gap: float
 
 
 def _unchanged(old: Object | None, new: Object | None) -> bool:
-    """Return whether an object has the same body at a bitwise identical pose."""
+    """Return whether an object has the same model, size and pose, bit for bit."""
     if old is None or new is None:
         return False
     pairs: Iterable[tuple[np.ndarray, np.ndarray]] = (

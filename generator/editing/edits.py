@@ -1,4 +1,4 @@
-"""Edits as data: an action, its words and, for a move, an optional position or angle."""
+"""Edits as data: an action, its text arguments and, for a move, a position or an angle."""
 
 from __future__ import annotations
 
@@ -53,7 +53,7 @@ class WordedEdit:
         return fits and (ways == 1 or (ways == 0 and self.turn is not None))
 
     def apply(self, bundle: str | Path, backends: Backends | None = None) -> Edited:
-        """Return the edited scene; ``backends`` make new objects, or the catalogue if it is None.
+        """Return the edited scene; new objects come from ``backends``, or else from the catalogue.
 
         Raises:
             InputError: The scene has no such object, or the text does not name a known object.

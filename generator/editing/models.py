@@ -108,7 +108,7 @@ def remodel(
 
 
 def _same_look(scene: Scene, planned: PlannedObject, style: str) -> Model | None:
-    """Return the restyled model if the scene's plan and seed reproduce the current model."""
+    """Return the restyled model, or None if plan and seed do not reproduce the current model."""
     plan, seed = scene.plan, scene.provenance.seed
     if plan is None or scene.provenance.kind != "compose":
         return None
@@ -145,7 +145,7 @@ def _draw(
 
 
 def _pick(found: Sequence[Instance], planned: PlannedObject) -> Instance:
-    """Return the largest instance with the object's noun or, if there is none, of any noun."""
+    """Return the largest instance with the object's noun, or the largest of all if none has it."""
     named = [i for i in found if i.label == planned.noun and i.name != TABLE]
     return max(named or found, key=lambda i: int(i.mask.sum()))
 

@@ -30,7 +30,7 @@ from .request import as_planned
 
 
 def moved_to(scene: Scene, thing: Object, where: tuple[float, float] | None, turn: float) -> Scene:
-    """Return the scene with an object and its load moved to a place on the table, or turned."""
+    """Return the scene with an object, and those it carries, moved on the table or turned."""
     if where is None or thing.placement.on == TABLE:
         x, y, z = thing.pose.position
         position = np.array([*((x, y) if where is None else where), z])
@@ -51,7 +51,7 @@ def moved_to(scene: Scene, thing: Object, where: tuple[float, float] | None, tur
 
 
 def moved_by(scene: Scene, thing: Object, place: Placement) -> Scene:
-    """Return the scene with an object and its load moved to where the relations require it."""
+    """Return the scene with an object, and those it carries, moved to a given placement."""
     turn = place.yaw - thing.placement.yaw
     if place.on == TABLE == thing.placement.on:
         position = np.array([*place.translation[:2], thing.pose.position[2]])
@@ -103,7 +103,7 @@ def loads(scene: Scene, name: str) -> tuple[str, ...]:
 
 
 def set_down(scene: Scene, names: Sequence[str]) -> Scene:
-    """Set objects, with their loads, down at the nearest free positions.
+    """Set objects down, with those that they carry, at the nearest free positions.
 
     Raises:
         SceneError: There is no room for an object, or it does not fit into its vessel.
@@ -181,7 +181,7 @@ def pose(thing: Object, placement: Placement) -> Object:
 
 
 def carried_to(scene: Scene, name: str, pose: Pose, turn: float) -> Scene:
-    """Move an object and its load to a pose, rotated by ``turn`` (radians) from the current one."""
+    """Move an object, and those it carries, to a pose that is turned by ``turn`` radians."""
     start = scene.object(name).pose.position
     above = {*loads(scene, name)}
 

@@ -34,7 +34,7 @@ def remove_from_plan(scene: Scene, names: Collection[str]) -> Scene:
 
 
 def move_in_plan(scene: Scene, name: str, relations: Sequence[Relation]) -> Scene:
-    """Return the scene with an object's new relations, and no relations to it, in its plan.
+    """Return the scene with an object's new relations, and no outdated ones to it, in its plan.
 
     The moved object leaves its group.
     """
@@ -55,7 +55,7 @@ def restyle_plan(scene: Scene, names: Collection[str], style: str) -> Scene:
 
 
 def _held(relation: Relation, name: str) -> bool:
-    """Return whether a relation still holds after ``name`` has moved together with its load."""
+    """Return whether a relation still holds after ``name`` moved with the objects it carries."""
     return relation.target != name or relation.kind in ("on", "in")
 
 

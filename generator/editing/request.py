@@ -17,7 +17,7 @@ Planner = Callable[[str, int], ScenePlan]
 
 @dataclass(frozen=True)
 class Asked:
-    """A requested object.
+    """An object that the text of an edit requests.
 
     Unless an existing object is moved, its name is new to the scene. Its relations refer to the
     scene's objects by name, or to the table.

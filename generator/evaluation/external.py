@@ -151,7 +151,7 @@ def _table_mesh(place: Path, entry: Any, meshes: _Meshes) -> tuple[Mesh, Float[n
 
 
 def _table(mesh: Mesh, what: str) -> Table:
-    """Return the table with a slab under its top, without the rim."""
+    """Return the table, whose collision shape is a slab under its top without the rim."""
     unit, _, extent = to_unit_box(mesh)
     model = Model(TABLE, TABLE, unit, extent)
     vertices = unit.vertices * extent
@@ -219,7 +219,7 @@ def _object(
 def _pose(
     entry: Mapping[str, Any], what: str
 ) -> tuple[Float[np.ndarray, "3"], Float[np.ndarray, "3 3"], Float[np.ndarray, "3"]]:
-    """Return an entry's scale along the mesh's axes, rotation and translation, from its matrix."""
+    """Split an entry's matrix into scale (along the mesh's axes), rotation and translation."""
     matrix = _numbers(entry.get("matrix"), (4, 4), f"{what}: the matrix")
     linear, translation = matrix[:3, :3], matrix[:3, 3]
     scale = np.linalg.norm(linear, axis=0)

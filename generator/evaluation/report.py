@@ -61,7 +61,7 @@ class Evaluation:
         return tuple(f for f in self.findings if name in (f.name, f.other))
 
     def facts(self) -> dict[str, Any]:
-        """Return everything as JSON values."""
+        """Return all results as JSON values."""
         return {
             "name": self.scene.name,
             "objects": len(self.scene.objects),

@@ -77,7 +77,7 @@ away.
 
 @dataclass(frozen=True)
 class Behaviour:
-    """The behaviour of one object under a rule, in metres and radians.
+    """The behaviour of one object in a simulation, measured in metres and radians.
 
     ``floats``: nothing supports it at the start. ``off_table``: at the start, its centre of mass is
     outside the outline of the tabletop. ``falls``: it has left the table by the end.

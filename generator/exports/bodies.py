@@ -1,4 +1,4 @@
-"""A scene or an object in the form common to all exports: meshes, inertia and convex pieces.
+"""The format-independent form of a scene or an object: meshes, inertia and convex pieces.
 
 Everything is in the body's own frame (an object's is its canonical frame scaled to metres; the
 table's has its origin at the centre of its box), z up in the world, metres, kilograms, radians.
@@ -93,7 +93,7 @@ class ExportBody:
 
 @dataclass(frozen=True, eq=False)
 class ExportWorld:
-    """Bodies above a floor at z = 0, in the form common to all formats.
+    """Bodies above a floor at z = 0, in a form that does not depend on the export format.
 
     Attributes:
         name: name of the scene or the object.
@@ -109,7 +109,7 @@ class ExportWorld:
 
 
 def scene_world(scene: Scene) -> ExportWorld:
-    """Return a scene in the form common to all exports.
+    """Return a scene in a form that does not depend on the export format.
 
     Raises:
         SceneError: the table's shape has no volume.
@@ -194,7 +194,7 @@ def piece_of(part: ConvexPart) -> ExportPiece:
 
 
 def _surface(kind: GeomKind, part: ConvexPart, half: Float[np.ndarray, "3"]) -> Trimesh:
-    """Return a part's surface: at its position for a hull, about the origin for a primitive."""
+    """Return a part's surface: in place if it is a hull, about the origin if it is a primitive."""
     import trimesh
     from trimesh import creation
 

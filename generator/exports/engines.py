@@ -44,7 +44,7 @@ _REACH = 0.55  # minimum coefficient of the table in Drake, relative to the larg
 
 @dataclass(frozen=True)
 class EngineFriction:
-    """Coefficient of friction of one body in each engine."""
+    """The friction coefficient of one body in each physics engine."""
 
     pybullet: float
     drake: float
@@ -52,7 +52,7 @@ class EngineFriction:
 
 
 def engine_friction(bodies: Sequence[ExportBody], table: float) -> Mapping[str, EngineFriction]:
-    """Return the coefficients of each body by name; the floor has those of the table."""
+    """Return the friction coefficients of each body by name; the floor has those of the table."""
     wanted = {body.name: max(body.friction, table) for body in bodies}  # on the table, in MuJoCo
     most = max(wanted.values())
     middle = max(table, _REACH * most)
@@ -65,7 +65,7 @@ def engine_friction(bodies: Sequence[ExportBody], table: float) -> Mapping[str, 
 
 
 def _harmonic(wanted: float, other: float) -> float:
-    """Return the x for which 2 x other / (x + other) is ``wanted`` (which is < 2 ``other``)."""
+    """Return the x whose harmonic mean with ``other`` is ``wanted`` (which is < 2 ``other``)."""
     return wanted * other / (2 * other - wanted)
 
 

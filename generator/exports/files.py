@@ -23,13 +23,13 @@ _FOLDER = "meshes"
 
 
 class ExportFiles:
-    """Collects the files of an export by their path in its folder; equal contents share a file."""
+    """Collects the files of an export, keyed by path in its folder; equal contents share a file."""
 
     def __init__(self) -> None:
         self.content: dict[str, bytes] = {}
 
     def visual(self, body: ExportBody) -> str:
-        """Add a body's mesh, its material and its texture; return the mesh's path."""
+        """Add a body's mesh, material and texture; return the path of the mesh."""
         mesh, picture = body.mesh, self.texture(body)
         alpha = f"d {mesh.opacity:.6g}\n"
         material = self._add(
@@ -49,7 +49,7 @@ class ExportFiles:
         return self._add("png", encode_png(body.mesh.texture))
 
     def collision(self, piece: ExportPiece) -> str:
-        """Add a piece's surface; return its path."""
+        """Add the surface of a collision piece; return the path of its file."""
         return self._add("obj", plain_obj(piece.vertices, piece.faces))
 
     def _add(self, suffix: str, content: bytes) -> str:
@@ -89,6 +89,6 @@ def along(axis: int) -> Float[np.ndarray, "3"]:
 
 
 def document_text(root: ET.Element) -> bytes:
-    """Return an indented document with its XML declaration."""
+    """Return an XML element as an indented UTF-8 document with an XML declaration."""
     ET.indent(root)
     return b'<?xml version="1.0" encoding="utf-8"?>\n' + ET.tostring(root, encoding="utf-8") + b"\n"

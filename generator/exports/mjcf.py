@@ -19,7 +19,7 @@ from .loaders import loader_scripts
 
 
 def mjcf_files(world: ExportWorld) -> Mapping[str, bytes]:
-    """Return the MJCF and the files it refers to, by path."""
+    """Return the MJCF file, the files that it refers to and a loader script, keyed by path."""
     written = world.mjcf()
     root = ET.fromstring(written.xml)
     files = dict(written.files)

@@ -22,7 +22,7 @@ VERSION = "1.9"
 
 
 def sdf_files(content: ExportWorld) -> Mapping[str, bytes]:
-    """Return the SDF and the files it refers to, by path."""
+    """Return the SDF file, the files that it refers to and a loader script, keyed by path."""
     files = ExportFiles()
     root = ET.Element("sdf", {"version": VERSION, **DRAKE})
     world = ET.SubElement(root, "world", name="scene")

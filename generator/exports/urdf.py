@@ -1,4 +1,4 @@
-"""URDF: ``scene.urdf`` with the world, the table and the objects, and one file for each body.
+"""URDF export: ``scene.urdf`` with the world, the table and the objects, and a file for each body.
 
 In ``scene.urdf`` the table is attached to the link "world" by a fixed joint and each object by a
 floating joint, at its resting pose, for readers that support floating joints (MuJoCo). Others load
@@ -30,7 +30,7 @@ _COMPILER = {"strippath": "false", "fusestatic": "false", "discardvisual": "fals
 
 
 def urdf_files(world: ExportWorld) -> Mapping[str, bytes]:
-    """Return the URDF files and the files they refer to, by path."""
+    """Return the URDF files and the files that they refer to, keyed by path."""
     files, bodies = ExportFiles(), world.bodies
     rubbing = engine_friction(bodies, world.ground)
     root = _robot(world.name)
@@ -68,7 +68,7 @@ def _robot(name: str) -> ET.Element:
 def _link(
     root: ET.Element, body: ExportBody, rubbing: EngineFriction, files: ExportFiles, above: str
 ) -> None:
-    """Add a body; ``above`` is the path from the document to the export's folder."""
+    """Add a body as a link; ``above`` is the path from the document to the export's folder."""
     link = ET.SubElement(root, "link", name=body.name)
     inertial = ET.SubElement(link, "inertial")
     ET.SubElement(inertial, "origin", xyz=number_text(body.com), rpy="0 0 0")

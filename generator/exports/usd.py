@@ -1,4 +1,4 @@
-"""USD with UsdPhysics: ``scene.usdc`` and its textures, or a single ``scene.usdz``.
+"""USD export with UsdPhysics: ``scene.usdc`` and its textures, or a single ``scene.usdz``.
 
 Z up, metres, kilograms. /World holds PhysicsScene, floor, table, and an Xform for each object: a
 rigid body with mass, centre of mass and principal inertia. Below it are Visual, which is a textured
@@ -29,7 +29,7 @@ _AXES = "XYZ"
 
 
 def usd_files(world: ExportWorld) -> Mapping[str, bytes]:
-    """Return all bodies as a crate and its textures, by path.
+    """Return all bodies as a USD crate file and its textures, keyed by path.
 
     Raises:
         InputError: usd-core is not installed.
@@ -93,7 +93,7 @@ def _write(content: ExportWorld, folder: Path) -> None:
 
 
 def _put(stage: Any, path: str, body: ExportBody, folder: Path) -> None:
-    """Write one body at a path of a stage."""
+    """Write one body to a USD stage, at the given prim path."""
     from pxr import Gf, UsdGeom, UsdPhysics
 
     xform = UsdGeom.Xform.Define(stage, path)
@@ -137,7 +137,7 @@ def _mesh(
 
 
 def _solid(stage: Any, path: str, piece: ExportPiece) -> Any:
-    """Write the geometry of a convex piece."""
+    """Write the geometry of a convex piece to a USD stage."""
     from pxr import Gf, UsdGeom, UsdPhysics
 
     if piece.kind in ("mesh", "ellipsoid"):
@@ -168,7 +168,7 @@ def _solid(stage: Any, path: str, piece: ExportPiece) -> Any:
 
 
 def _paint(stage: Any, path: str, body: ExportBody, visual: Any, folder: Path) -> None:
-    """Apply a body's texture to its mesh, with the shader that every renderer supports."""
+    """Apply a body's texture to its mesh with UsdPreviewSurface, which every renderer supports."""
     from pxr import Gf, Sdf, UsdGeom, UsdShade, Vt
 
     uv = UsdGeom.PrimvarsAPI(visual).CreatePrimvar(
@@ -205,7 +205,7 @@ def _paint(stage: Any, path: str, body: ExportBody, visual: Any, folder: Path) -
 
 
 def _friction(stage: Any, path: str, body: ExportBody) -> Any:
-    """Write a body's physics material; PhysX then uses the larger coefficient, as MuJoCo does."""
+    """Write a body's physics material; in a contact, the larger friction applies, as in MuJoCo."""
     from pxr import Sdf, UsdPhysics, UsdShade
 
     material = UsdShade.Material.Define(stage, path)

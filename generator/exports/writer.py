@@ -1,4 +1,4 @@
-"""Write a scene, or one object, in a format that other programs read."""
+"""Export of a scene, or of one object, to a format that other programs read."""
 
 from __future__ import annotations
 
@@ -58,7 +58,7 @@ def export(scene: Scene, to: str, folder: str | Path, name: str | None = None) -
 
 
 def export_object(thing: Object, to: str, folder: str | Path) -> Path:
-    """Write one object, free above a floor without a table, in the same way as ``export``.
+    """Write one object, free to move above a floor and without a table; otherwise like ``export``.
 
     Raises:
         InputError: there is no such format, or its library is not installed.

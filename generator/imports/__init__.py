@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 def import_scene(
     source: str | Path, options: ImportOptions | None = None, config: AssemblyConfig | None = None
 ) -> Scene:
-    """Return a foreign scene at rest with its report; see ``importer.import_scene``."""
+    """Return an imported foreign scene at rest with its report; see ``importer.import_scene``."""
     from .importer import import_scene as run
 
     return run(source, options or ImportOptions(), config)

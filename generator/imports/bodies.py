@@ -133,13 +133,13 @@ def _outcome(name: str, repairs: Sequence[str], reason: str) -> ImportOutcome:
 
 @dataclass(frozen=True)
 class _Side:
-    """The longest side of a body in the world, in metres, and the adjective for it in messages."""
+    """The longest side of a body in the world, in metres, and the word for it: "tall" or "long"."""
 
     length: float
     word: str
 
     def hint(self) -> str:
-        """Return a hint at a scale with a plausible size on a table, or "" if there is none."""
+        """Return advice to use a scale at which the size is plausible, or "" if there is none."""
         low, high = _USUAL_SIDE
         factors = (1e-3, 1e-2, 10.0, 100.0, 1000.0)
         fitting = (f for f in factors if low <= f * self.length <= high)
@@ -242,7 +242,7 @@ def _as_it_is(surface: ColoredSurface, body: ForeignBody) -> Mesh:
 
 
 def _solid(model: Model, extent: Float[np.ndarray, "3"], budget: CutBudget) -> tuple[Model, str]:
-    """Return a model with a collision shape, and the reason if the shape is its convex hull."""
+    """Return the model, with its convex hull as its part if decomposition fails, and the reason."""
     if model.parts:
         return model, ""
     try:
@@ -260,7 +260,7 @@ def _weigh(
     turn: Float[np.ndarray, "3 3"],
     center: Float[np.ndarray, "3"],
 ) -> MassProperties:
-    """Return the mass properties in the object's frame: those given, or else the category's."""
+    """Return the mass properties in the object's frame, as given or derived from the category."""
     if body.mass is not None:
         given = body.mass
         return MassProperties(given.mass, turn @ given.com - center, turn @ given.inertia @ turn.T)
@@ -271,7 +271,7 @@ def _weigh(
 
 
 def _upright(rotation: Float[np.ndarray, "3 3"]) -> Float[np.ndarray, "3 3"]:
-    """Return the rotation of a body's axes that makes +z the one that points most nearly up."""
+    """Return the rotation of a body's axes that turns the one nearest to pointing up into +z."""
     up = rotation[2]
     axis = int(np.abs(up).argmax())
     if axis == 2 and up[2] > 0:
@@ -284,7 +284,7 @@ def _upright(rotation: Float[np.ndarray, "3 3"]) -> Float[np.ndarray, "3 3"]:
 def _move(
     part: ConvexPart, turn: Float[np.ndarray, "3 3"], shift: Float[np.ndarray, "3"]
 ) -> ConvexPart:
-    """Return a rotated, translated part: a hull unless the rotation maps axes to axes."""
+    """Return a rotated, translated part; it is a hull unless the rotation maps axes to axes."""
     vertices = part.vertices @ turn.T + shift
     if part.kind == "hull" or np.abs(np.abs(turn) - np.abs(turn).round()).max() > 1e-6:
         return ConvexPart(vertices)

@@ -106,7 +106,7 @@ def on_plain_table(foreign: ForeignScene) -> ForeignScene:
 
 
 def _name_of(entry: object, number: int) -> str:
-    """Return the object's name in an entry of ``poses.json``, for messages."""
+    """Return the name of the object that an entry of ``poses.json`` describes, for messages."""
     name = cast("dict[str, Any]", entry).get("name") if isinstance(entry, dict) else None
     return name[:100] if isinstance(name, str) and name else f"thing_{number + 1}"
 
@@ -131,7 +131,7 @@ class _FolderReader:
         return read_source(self._folder, name, limit)
 
     def object(self, entry: Any, number: int) -> ForeignBody:
-        """Return an object of ``poses.json``."""
+        """Return the object that an entry of ``poses.json`` describes."""
         what = f"{POSES}, objects[{number}]"
         if not isinstance(entry, dict):
             raise InputError(f"{what} must be a JSON object.")
@@ -146,7 +146,7 @@ class _FolderReader:
         return self._body(entry, name, what, category, mass)
 
     def table(self, entry: Mapping[str, Any]) -> ForeignBody:
-        """Return the table of ``poses.json``."""
+        """Return the table that the table entry of ``poses.json`` describes."""
         what = f"{POSES}, table"
         _check_keys(entry, _TABLE, what)
         if ("size" in entry) == ("file" in entry):
@@ -257,7 +257,7 @@ class _FolderReader:
 
 
 def body_of(model: Model) -> ForeignBody:
-    """Return a model as a body at the world's origin."""
+    """Return a model as a body that stands at the world's origin."""
     size = np.asarray(model.size, np.float64)
     parts = tuple(ConvexPart(p.vertices * size, p.kind, p.axis) for p in model.parts)
     return ForeignBody(

@@ -1,4 +1,4 @@
-"""A foreign scene as read: bodies with their surfaces, collision shapes, masses and poses.
+"""A foreign scene before conversion: bodies with surfaces, collision shapes, masses and poses.
 
 Its files must be regular files inside its folder (``read_source``). Objects that cannot be imported
 are refused individually, with an ``ImportOutcome``, and the others are kept.
@@ -52,7 +52,7 @@ class ImportOutcome:
 
 @dataclass
 class Refusals:
-    """Collects the objects of a scene that cannot be imported, so that the others can.
+    """Collects the objects that cannot be imported, so that they do not stop the import of others.
 
     Attributes:
         outcomes: An outcome for each refused object.
@@ -63,20 +63,20 @@ class Refusals:
     first: TabletopError | None = None
 
     def add(self, name: str, error: TabletopError) -> None:
-        """Refuse an object because of an error."""
+        """Record that an object is refused because of an error."""
         self.outcomes.append(ImportOutcome(name, "refused", str(error)))
         self.first = self.first or error
 
     @contextmanager
     def catching(self, name: str) -> Iterator[None]:
-        """Refuse an object if the block raises an error of this project."""
+        """Record an object as refused if the ``with`` block raises an error of this project."""
         try:
             yield
         except (InputError, BackendError, SceneError) as error:
             self.add(name, error)
 
     def check_left(self, left: Sized) -> None:
-        """Check that some objects are left.
+        """Check that at least one object remains to be imported.
 
         Raises:
             InputError: all objects are refused; the message gives the reasons. A single object's
@@ -94,7 +94,7 @@ class Refusals:
 
 @dataclass(frozen=True, eq=False)
 class ForeignBody:
-    """A rigid body with its own frame, in metres and kilograms; z points up in the world.
+    """A rigid body of a foreign scene, in metres and kilograms; z points up in the world frame.
 
     Attributes:
         name: its name in the foreign scene.
@@ -155,7 +155,7 @@ class ForeignBody:
 
 @dataclass(frozen=True, eq=False)
 class ForeignScene:
-    """The content of a foreign scene: its table, its objects, and warnings about ignored parts.
+    """The content of a foreign scene: its table, its objects, and warnings about what is ignored.
 
     ``table`` is None if the source has a single object and no table. ``refused`` lists the objects
     that could not be read.

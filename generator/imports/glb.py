@@ -120,7 +120,7 @@ def _arrange(
 
 @dataclass(frozen=True, eq=False)
 class _Place:
-    """A mesh of a scene: its node, the node that is its body, and their world transforms."""
+    """A use of a mesh in a scene: its node, its body's node, and the world transforms of both."""
 
     node: int
     owner: int
@@ -130,7 +130,7 @@ class _Place:
 
 
 def _places(header: Header, scene: int, what: str) -> Sequence[_Place]:
-    """Return the meshes of a scene; bodies are nodes with a body's extras or else the top meshes.
+    """Return a scene's mesh nodes; bodies are nodes with a body's extras or else top mesh nodes.
 
     Raises:
         InputError: the nodes do not form a tree, or one of them is invalid.
@@ -259,7 +259,7 @@ def _read_body(
 def _split(
     matrix: Float[np.ndarray, "4 4"], name: str
 ) -> tuple[Float[np.ndarray, "3 3"], Float[np.ndarray, "3"], Float[np.ndarray, "3"]]:
-    """Return the rotation, scale and translation of a node."""
+    """Return the rotation, scale and translation of a node's transformation matrix."""
     with np.errstate(all="ignore"):
         scale = np.linalg.norm(matrix[:3, :3], axis=0)
         turn = matrix[:3, :3] / scale
@@ -274,7 +274,7 @@ def _split(
 
 
 def _mass(extras: Mapping[str, Any], name: str) -> MassProperties | None:
-    """Return the mass of a node, or None if it has none."""
+    """Return a node's mass properties, or None if its mass or its inertia is not given."""
     mass = _number(extras.get("mass"), name, "mass")
     if mass is None or "inertia" not in extras:
         return None
@@ -300,7 +300,7 @@ def _number(value: object, name: str, what: str) -> float | None:
 def _collision_of(
     raw: bytes, header: Header, shown: int, what: str
 ) -> tuple[Mapping[str, tuple[ConvexPart, ...]], Sequence[str]]:
-    """Return the convex parts of each body in the scene "collision", and warnings.
+    """Return each body's convex parts, read from the glTF scene "collision", and warnings.
 
     If one part of a body is damaged, all are ignored: its collision shape is made from its surface.
     """
@@ -329,7 +329,7 @@ def _collision_of(
 def _shells(
     header: Header, place: _Place, meshes: Sequence[trimesh.Trimesh] | BackendError, what: str
 ) -> Iterator[ConvexPart]:
-    """Yield the convex parts at one place in the scene "collision", in its body's frame."""
+    """Yield the convex parts of a node of the scene "collision", in the frame of its body."""
     if isinstance(meshes, BackendError):
         raise meshes
     kind = str(_extras(header["nodes"][place.node]).get("kind"))

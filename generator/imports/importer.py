@@ -31,7 +31,7 @@ def import_scene(
     options: ImportOptions = _USUAL,
     config: AssemblyConfig | None = None,
 ) -> Scene:
-    """Return the imported and settled scene with its report; the gate may have failed.
+    """Return the imported and settled scene with its report, whether or not it passes the gate.
 
     ``source`` is an MJCF, GLB or OBJ file, a folder with ``poses.json`` and the files it lists, or
     a folder with ``scene.xml``, as written by ``export``. A single object without a table is placed

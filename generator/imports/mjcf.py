@@ -1,4 +1,4 @@
-"""A foreign MJCF as bodies: free bodies are objects, and one fixed body or geom is the table.
+"""Reading of foreign MJCF: free bodies become objects, and one fixed body or geom the table.
 
 MuJoCo compiles the file; everything is taken from the compiled model at its initial state, so that
 defaults, frames, classes and fitted shapes have MuJoCo's meaning. A colliding mesh is its convex
@@ -50,7 +50,7 @@ _SEEN = 0.01  # minimum opacity of a visible geom
 
 
 def read_mjcf(path: Path, folder: Path | None = None, table: str | None = None) -> ForeignScene:
-    """Read an MJCF file; the files it uses must be in ``folder``, by default its own folder.
+    """Read an MJCF file; the files that it uses must be in ``folder`` (by default, the file's own).
 
     ``table`` is the name of the fixed body or geom that is the table; None detects it by its name,
     or as the support of most objects.
@@ -83,7 +83,7 @@ def read_mjcf(path: Path, folder: Path | None = None, table: str | None = None) 
 
 
 def compile_foreign(gathered: GatheredModel, what: str) -> mujoco.MjModel:
-    """Return the compiled model; ``what`` names it in messages.
+    """Compile a gathered model with MuJoCo; ``what`` names the model in error messages.
 
     Raises:
         InputError: MuJoCo rejects it.
@@ -133,7 +133,7 @@ class _ModelReader:
         self.seen: Bool[np.ndarray, "g"] = np.array(colors, bool).reshape(-1)
 
     def single_body(self, name: str) -> ForeignBody | None:
-        """Return the only body of a model without joints, or None for a table or other models."""
+        """Return a jointless model's body, or None if it is a table or there are several bodies."""
         groups = self._fixed_groups()
         if self.model.njnt or len(groups) != 1:
             return None
@@ -187,13 +187,13 @@ class _ModelReader:
         return self._body(name, geoms, position, rotation, join_bodies(masses))
 
     def fixed_body(self, name: str, geoms: Int[np.ndarray, "k"]) -> ForeignBody:
-        """Return geoms that do not move as one body, in the world frame."""
+        """Return the given fixed geoms as a single body in the world frame."""
         return self._body(name, geoms, np.zeros(3), np.eye(3), None)
 
     def find_table(
         self, asked: str | None, objects: Sequence[ForeignBody]
     ) -> tuple[Int[np.ndarray, "k"], str]:
-        """Return the geoms of the table, and its name."""
+        """Return the geoms and the name of the table: the one ``asked`` for, or a detected one."""
         groups = self._fixed_groups()
         if asked is not None:
             if asked not in groups:
@@ -228,7 +228,7 @@ class _ModelReader:
         return groups[best], best
 
     def list_left(self, table: Int[np.ndarray, "k"]) -> Iterable[str]:
-        """Yield the parts of the scene that are ignored."""
+        """Yield a message for each kind of content that the import ignores."""
         others = [name for name, geoms in self._fixed_groups().items() if geoms[0] not in table]
         if others:
             yield f"fixed objects are ignored: {', '.join(sorted(others)[:8])}"
@@ -240,7 +240,7 @@ class _ModelReader:
                 yield f"{count} {what} are ignored"
 
     def _fixed_groups(self) -> dict[str, Int[np.ndarray, "k"]]:
-        """Return the geoms of each fixed body, and each geom that belongs directly to the world."""
+        """Return each fixed body's geoms by name; a geom of the world body counts as a body."""
         model = self.model
         groups: dict[str, list[int]] = {}
         for g in range(model.ngeom):
@@ -253,7 +253,7 @@ class _ModelReader:
         return {n: np.array(k) for n, k in groups.items() if self.solid[k].any()}
 
     def _box(self, geoms: Int[np.ndarray, "k"]) -> Float[np.ndarray, "2 3"]:
-        """Return the corners of the bounding box of colliding geoms in the world frame."""
+        """Return the lower and upper corners of the colliding geoms' box in the world frame."""
         points = [self._part(int(g), np.zeros(3), np.eye(3)).bounds for g in geoms if self.solid[g]]
         return np.stack([np.min(points, axis=0)[0], np.max(points, axis=0)[1]])
 
@@ -293,7 +293,7 @@ class _ModelReader:
     def _place(
         self, geom: int, position: Float[np.ndarray, "3"], rotation: Float[np.ndarray, "3 3"]
     ) -> tuple[Float[np.ndarray, "3"], Float[np.ndarray, "3 3"]]:
-        """Return the position and rotation of a geom in a frame."""
+        """Return a geom's position and rotation in the frame with the given pose."""
         data = self.data
         turn = rotation.T @ data.geom_xmat[geom].reshape(3, 3)
         return rotation.T @ (data.geom_xpos[geom] - position), turn
@@ -330,7 +330,7 @@ class _ModelReader:
         position: Float[np.ndarray, "3"],
         rotation: Float[np.ndarray, "3 3"],
     ) -> ColoredSurface:
-        """Return geoms as one surface in a frame."""
+        """Return the joint surface of geoms in the frame with the given pose."""
         pictures: list[UInt8[np.ndarray, "h w 3"]] = []
         known: dict[int, int] = {}
         rows: list[tuple[Any, ...]] = []
@@ -368,7 +368,7 @@ class _ModelReader:
     def _mesh(
         self, geom: int
     ) -> tuple[Float[np.ndarray, "n 3"], Int[np.ndarray, "m 3"], Float[np.ndarray, "n 2"] | None]:
-        """Return a mesh in its geom's frame, and its texture coordinates, with v upwards."""
+        """Return a geom's mesh in the geom's frame, and texture coordinates with v upwards."""
         mesh = int(self.model.geom_dataid[geom])
         if mesh not in self._meshes:
             self._meshes[mesh] = self._read_mesh(mesh)
@@ -395,14 +395,14 @@ class _ModelReader:
 
 
 class GeomLooks:
-    """Appearance of a model's geoms, by index."""
+    """The appearance of a model's geoms, which are given by index."""
 
     def __init__(self, model: mujoco.MjModel) -> None:
         self._model = model
         self._pictures: dict[tuple[int, bytes], UInt8[np.ndarray, "h w 3"]] = {}
 
     def color(self, geom: int) -> Float[np.ndarray, "4"]:
-        """Return the rgba of a geom, or of its material if it has one, as in MuJoCo."""
+        """Return a geom's own RGBA, or its material's if its own is the default, as in MuJoCo."""
         model = self._model
         material, own = int(model.geom_matid[geom]), model.geom_rgba[geom]
         if material < 0 or not np.allclose(own, [0.5, 0.5, 0.5, 1.0]):
@@ -410,14 +410,14 @@ class GeomLooks:
         return model.mat_rgba[material].astype(np.float64)
 
     def repeat(self, geom: int) -> Float[np.ndarray, "2"]:
-        """Return how often a geom's texture repeats along each of its sides."""
+        """Return how often a geom's texture repeats along each of its two axes."""
         material = int(self._model.geom_matid[geom])
         if material < 0:
             return np.ones(2)
         return self._model.mat_texrepeat[material].astype(np.float64)
 
     def picture(self, geom: int) -> UInt8[np.ndarray, "h w 3"] | None:
-        """Return a geom's texture in its colour (the first face of a cube texture), or None.
+        """Return a geom's tinted texture (a cube map's first face), or None if it has no texture.
 
         Geoms with the same texture and colour get the same read-only array, so that meshes share
         it. Its longest side is at most ``MOST_TEXTURE``.
@@ -432,7 +432,7 @@ class GeomLooks:
         return self._pictures[key]
 
     def _texture(self, geom: int) -> int:
-        """Return the index of a geom's texture, or -1."""
+        """Return the index of a geom's texture, or -1 if it has none."""
         import mujoco
 
         material = int(self._model.geom_matid[geom])

@@ -20,13 +20,13 @@ MAX_REFUSED = 20
 
 
 def free_bodies(gathered: GatheredModel) -> list[str]:
-    """Return the names of the bodies of the world that have their own free joint."""
+    """Return the names of the world's child bodies that have a free joint."""
     found = _free_elements(ET.fromstring(gathered.xml))
     return [body.get("name") or f"body_{k + 1}" for k, (_, body) in enumerate(found)]
 
 
 def keep_bodies(gathered: GatheredModel, which: Sequence[int]) -> GatheredModel:
-    """Return the model with only some of its ``free_bodies``, and without unused assets."""
+    """Return the model with only the free bodies ``which`` (by index), without unused assets."""
     root = ET.fromstring(gathered.xml)
     for k, (world, body) in enumerate(_free_elements(root)):
         if k not in which:
@@ -39,7 +39,7 @@ def keep_bodies(gathered: GatheredModel, which: Sequence[int]) -> GatheredModel:
 
 
 def _free_elements(root: ET.Element) -> list[tuple[ET.Element, ET.Element]]:
-    """Return the world's bodies with a free joint, each after its parent."""
+    """Return the world's child bodies that have a free joint, as (parent, body) pairs."""
     return [
         (world, body)
         for world in root.findall("worldbody")
@@ -50,7 +50,7 @@ def _free_elements(root: ET.Element) -> list[tuple[ET.Element, ET.Element]]:
 
 
 def _drop_unused(root: ET.Element, tag: str) -> None:
-    """Remove the assets of a kind that no other element refers to."""
+    """Remove the assets with the given tag that no other element refers to."""
     used = {e.get(tag) for e in root.iter() if e.tag != tag}
     for asset in root.findall("asset"):
         for element in asset.findall(tag):
@@ -64,7 +64,7 @@ def compile_sound(
     refusals: Refusals,
     compile_model: CompileModel,
 ) -> mujoco.MjModel:
-    """Return a compiled model without the free bodies that MuJoCo rejects.
+    """Return the compiled model, leaving out the free bodies that MuJoCo rejects.
 
     Raises:
         InputError: MuJoCo rejects the model for another reason, all its bodies, or more than

@@ -1,4 +1,4 @@
-"""Limits on what MuJoCo allocates for a foreign MJCF, checked before it is compiled.
+"""Limits on the memory that MuJoCo allocates for a foreign MJCF, checked before it is compiled.
 
 The limits of the child process apply to everything that is not counted here. The checks here give a
 reason and a fix.
@@ -27,7 +27,7 @@ _UNUSED = (
 
 
 def drop_unused(root: ET.Element) -> None:
-    """Remove the sections and attributes that an import ignores but that take compile time."""
+    """Remove sections and attributes that an import ignores but that would lengthen compilation."""
     for element in root.iter():
         element.attrib.pop("user", None)
         for child in element.findall("lengthrange"):  # simulates actuators for an arbitrary time
@@ -37,7 +37,7 @@ def drop_unused(root: ET.Element) -> None:
 
 
 def merge_textures(root: ET.Element) -> None:
-    """Merge textures that differ only in their names, since MuJoCo allocates each of them."""
+    """Merge textures that differ only in name, since MuJoCo allocates memory for each of them."""
     kept: dict[tuple[tuple[str, str], ...], str] = {}
     renamed: dict[str, str] = {}
     for asset in root.findall("asset"):
@@ -138,7 +138,7 @@ def _is_few(text: str) -> bool:
 
 
 def _number(text: str) -> float:
-    """Return a nonnegative number, or 0 for invalid text, which MuJoCo rejects."""
+    """Parse a nonnegative number; return 0 for invalid text, which MuJoCo rejects anyway."""
     try:
         value = float(text)
     except ValueError:

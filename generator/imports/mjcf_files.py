@@ -37,14 +37,14 @@ _SUFFIXES = {"mesh": (".obj", ".stl", ".msh"), "texture": (".png",)}
 
 @dataclass(frozen=True)
 class GatheredModel:
-    """A model as one XML string, and its files by name."""
+    """An MJCF model as a single XML string, with the content of its files by name."""
 
     xml: str
     files: dict[str, bytes]
 
 
 def gather(path: Path, folder: Path | None = None) -> GatheredModel:
-    """Read an MJCF file and the files it refers to inside ``folder``, by default its own.
+    """Read an MJCF file and the files that it refers to inside ``folder`` (by default, its own).
 
     Raises:
         InputError: the file is not a valid MJCF, refers to files outside the folder, is too large,
@@ -72,7 +72,7 @@ def gather(path: Path, folder: Path | None = None) -> GatheredModel:
 
 @dataclass
 class _Reader:
-    """Reads files of one folder; ``base`` is the model's folder, and MuJoCo receives ``files``."""
+    """Reads files inside ``folder``; ``base`` is the model's folder; MuJoCo receives ``files``."""
 
     folder: Path
     base: PurePosixPath
@@ -83,7 +83,7 @@ class _Reader:
     _elements: int = 0
 
     def parse(self, path: PurePosixPath, above: int) -> ET.Element:
-        """Return the root of an XML file at nesting depth ``above``."""
+        """Parse an XML file whose root is at nesting depth ``above``; return the root."""
         self._included.add(path)
         if len(self._included) > MOST_INCLUDES:
             raise InputError(f"The model includes more than {MOST_INCLUDES} files.")
@@ -93,7 +93,7 @@ class _Reader:
         return root
 
     def include(self, parent: ET.Element, where: PurePosixPath, depth: int) -> None:
-        """Replace the includes below an element with their content.
+        """Replace the ``include`` elements below ``parent`` with the content of their files.
 
         ``where`` is the folder of its file, ``depth`` its nesting depth.
         """
@@ -109,7 +109,7 @@ class _Reader:
             parent[at : at + 1] = [*root]
 
     def check(self, element: ET.Element) -> None:
-        """Reject unsupported elements."""
+        """Raise an error if an element is not supported."""
         tag = element.tag
         if tag in _REFUSED:
             raise InputError(f"The model has a <{tag}>, which is not allowed: {_REFUSED[tag]}.")
@@ -121,7 +121,7 @@ class _Reader:
             )
 
     def hand_over(self, root: ET.Element) -> None:
-        """Read each mesh and texture, and rename it for MuJoCo."""
+        """Read each mesh and texture file, and change its name to the one that MuJoCo receives."""
         folders, strip = _folders(root)
         for compiler in root.iter("compiler"):
             for name in ("meshdir", "texturedir", "assetdir", "strippath"):
@@ -181,7 +181,7 @@ class _Reader:
 
 
 def _plain(path: PurePosixPath) -> PurePosixPath | None:
-    """Return a path without ``..``, or None if it leaves the folder."""
+    """Return a path with ``..`` resolved, or None if it leaves the folder."""
     parts: list[str] = []
     for part in path.parts:
         if part == "..":
@@ -205,7 +205,7 @@ def _folders(root: ET.Element) -> tuple[dict[str, str], bool]:
 
 
 def _parse(raw: bytes, what: str, above: int, most: int) -> ET.Element:
-    """Parse XML without entities and with at most ``most`` elements; return its root.
+    """Parse XML of at most ``most`` elements, rejecting entity declarations; return its root.
 
     ``above`` is the nesting depth of its root, which counts towards the maximum depth.
     """

@@ -35,7 +35,7 @@ def build_scene(
     config: AssemblyConfig | None = None,
     leave_out: bool = False,
 ) -> Scene:
-    """Return the converted and settled scene with its report; the gate may have failed.
+    """Return the converted and settled scene with its report, whether or not it passes the gate.
 
     The world is translated so that the table stands on the floor z = 0 at the origin. Objects keep
     their exact poses unless settling moves them. Objects that cannot be built are refused without
@@ -76,14 +76,14 @@ def build_scene(
 
 
 class _Shapes:
-    """Counts a scene's convex parts as a bundle does: for all bodies and also for their models."""
+    """Counts a scene's convex parts as a bundle does: for each body and each distinct model."""
 
     def __init__(self) -> None:
         self._parts = self._points = 0
         self._models: set[Hashable] = set()
 
     def check(self, *lists: Sequence[ConvexPart]) -> tuple[int, int]:
-        """Return the numbers of parts and points after adding more of them.
+        """Return what the numbers of parts and points would be after adding lists of parts.
 
         Raises:
             InputError: they exceed the limits of a bundle.
@@ -165,7 +165,7 @@ def _settle(
 
 
 def _find_failing(scene: Scene) -> str | None:
-    """Return the object that the report's failures name most often."""
+    """Return the object that the report's failures name most often, or None if they name none."""
     failures = scene.report.failures if scene.report else ()
     counts = Counter(name for failure in failures for name in failure.objects)
     named = (o.name for o in scene.objects if counts[o.name])

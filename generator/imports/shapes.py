@@ -84,7 +84,7 @@ def part_of(points: Float[np.ndarray, "n 3"], kind: str) -> ConvexPart:
 
 
 def hull_corners(points: Float[np.ndarray, "n 3"]) -> Float[np.ndarray, "k 3"]:
-    """Return the vertices of the points' convex hull, or all distinct points if coplanar."""
+    """Return the vertices of the points' convex hull, or all distinct points of a flat set."""
     return hull_points(np.unique(np.asarray(points, np.float64).round(7), axis=0))
 
 

@@ -1,4 +1,4 @@
-"""Standard output with closed pipes and full disks handled."""
+"""Handling of closed pipes and full disks when standard output is written."""
 
 from __future__ import annotations
 

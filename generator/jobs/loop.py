@@ -1,4 +1,4 @@
-"""The main loop of a batch, robust to worker crashes and concurrent batches, and dry runs."""
+"""Dry runs and the main loop of a batch, which survives worker crashes and concurrent batches."""
 
 from __future__ import annotations
 
@@ -99,7 +99,7 @@ def try_out(
     workers: int = 1,
     retry: bool = False,
 ) -> Summary:
-    """Return the first server calls of each scene; nothing is sent or written to the folder.
+    """Return each scene's first server calls without sending them or writing to ``folder``.
 
     Unfinished scenes are started by local processes in a temporary folder. A scene that needs a
     call is "unpaid", with its calls as the error; a scene whose answers are all stored is "made".
@@ -116,7 +116,7 @@ def try_out(
 
 
 def _pool(width: int, ray: str | None, make: Maker) -> tuple[TaskPool, Maker]:
-    """Return the worker pool and the maker; on Ray, one process owns the maker's database."""
+    """Return the worker pool and the scene maker; on Ray, one process owns the maker's database."""
     if ray is None:
         return pool_of(width), make
     from .on_ray import RayPool
@@ -134,7 +134,7 @@ def _run_all(
     retry: bool,
     told: Callable[[Outcome], None],
 ) -> None:
-    """Run all jobs, up to the pool's width in parallel.
+    """Run all jobs, up to ``pool.width`` of them in parallel.
 
     If one of several workers dies, its job runs once more at the end, alone, because other jobs may
     have exhausted its memory. Jobs locked by other batches are checked repeatedly.

@@ -78,7 +78,7 @@ class RayPool(TaskPool):
         return RayKeeper(_keeping_actor(self._ray))
 
     def close(self, grace: float = 0.0) -> None:
-        """Cancel pending tasks and stop running ones, ignoring ``grace``; leave the cluster."""
+        """Cancel pending tasks, stop running ones (ignoring ``grace``) and disconnect from Ray."""
         with self._lock:
             for task in self._waiting:
                 task.future.cancel()
@@ -145,7 +145,7 @@ class RayPool(TaskPool):
 
 @dataclass(frozen=True)
 class _Place:
-    """The working directory of tasks, and the versions that they require."""
+    """The working directory of tasks, and the package versions that they require."""
 
     folder: str
     versions: Mapping[str, str]
@@ -215,7 +215,7 @@ class RayKeeper:
 
     @contextlib.contextmanager
     def owning(self, folder: Path) -> Iterator[str]:
-        """Yield the name of a new owner of reservations, alive until its block or worker ends."""
+        """Yield the name of a new reservation owner that exists until the block or worker ends."""
         import ray  # pyright: ignore[reportMissingImports]
 
         name = ray.get_runtime_context().get_task_id()

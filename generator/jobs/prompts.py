@@ -41,7 +41,7 @@ class Job:
 
 
 class Maker(Protocol):
-    """Interface for making scenes in any process: picklable, and reproducible to the byte."""
+    """Interface of scene makers, which can be pickled and give the same bytes in every process."""
 
     def identity(self) -> dict[str, Any]:
         """Return the settings that determine the scenes, as JSON values."""
@@ -57,7 +57,7 @@ class Maker(Protocol):
 
 
 def jobs_of(prompts: Iterable[str | Job], seed: int = 0, variants: int = 1) -> tuple[Job, ...]:
-    """Return jobs for prompts, with ``variants`` seeds each, from ``seed`` or the job's own seed.
+    """Return jobs with ``variants`` consecutive seeds per prompt, from ``seed`` or the job's own.
 
     Duplicates are removed.
 
@@ -83,7 +83,7 @@ def jobs_of(prompts: Iterable[str | Job], seed: int = 0, variants: int = 1) -> t
 
 
 def _count_seeds(firsts: Sequence[int], variants: int) -> int:
-    """Return the number of distinct seeds in ranges of ``variants`` from the sorted ``firsts``."""
+    """Count the distinct seeds in runs of ``variants`` that start at the sorted ``firsts``."""
     steps = (min(b - a, variants) for a, b in itertools.pairwise(firsts))
     return sum(steps) + variants
 
@@ -114,7 +114,7 @@ def read_prompts(path: str | Path, seed: int = 0) -> list[Job]:
 
 
 def key(job: Job, maker: dict[str, Any], picture: bytes | None) -> str:
-    """Return 24 hexadecimal digits that identify a job and its maker.
+    """Return 24 hexadecimal digits that identify a job and the settings of its maker.
 
     ``picture`` is the content of the file if the job's text is the path of a picture.
     """

@@ -43,7 +43,7 @@ PLACE = ".batch"
 
 
 def key_of(job: Job, make: Maker) -> str:
-    """Return the name of a job's record; for a readable picture, it depends on the content."""
+    """Return the name of a job's record, which also depends on a readable picture's content."""
     from ..method.reference import fetch, is_picture_name
 
     picture = None
@@ -172,7 +172,7 @@ def _clear(place: Path, name: str) -> None:
 
 
 def _sound(bundle: Path) -> bool:
-    """Return whether a bundle exists; it is published by one rename, so it is then complete."""
+    """Return whether a bundle exists; it is complete, since it is published by a single rename."""
     try:
         load_fingerprint(bundle)
     except BundleError:
@@ -181,7 +181,7 @@ def _sound(bundle: Path) -> bool:
 
 
 def _figures(report: Mapping[str, Any]) -> dict[str, float]:
-    """Return the summarised values of a bundle's recorded gate, in millimetres and degrees."""
+    """Return the summary values of a bundle's gate report, in millimetres and degrees."""
     lengths = ("penetration", "drift", "leaning", "settling", "moved")
     return {
         "objects": report["objects"],

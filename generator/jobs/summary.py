@@ -31,7 +31,7 @@ class Summary:
 
     @property
     def unpaid(self) -> tuple[Outcome, ...]:
-        """The jobs without a scene because a call was not sent; the next run retries them."""
+        """The jobs that have no scene because a call was not sent; the next run retries them."""
         return tuple(o for o in self.outcomes if o.state == "unpaid")
 
     def counts(self) -> dict[str, int]:
@@ -44,7 +44,7 @@ class Summary:
         return dict(Counter(o.kind or "" for o in self.failures).most_common())
 
     def gate(self) -> dict[str, dict[str, float]]:
-        """Return the mean and the maximum of each value of the scenes' gates.
+        """Return the mean and the maximum of each gate measurement over the scenes.
 
         Lengths are in millimetres, angles in degrees; ``objects`` and ``left_out`` are counts.
         """

@@ -58,7 +58,7 @@ class TaskPool(ABC):
 
 @cache
 def call_once(packed: bytes) -> Any:
-    """Return the result of a pickled function, which is called once per process.
+    """Return the result of a pickled function, which is called once per process and then cached.
 
     Tasks use it to share objects that are slow to create, such as environments.
     """

@@ -1,4 +1,4 @@
-"""Makers of a batch's scenes, which run in its processes; all of them can be pickled."""
+"""Scene makers for batches; they run in worker processes, so all of them can be pickled."""
 
 from __future__ import annotations
 
@@ -136,7 +136,7 @@ class Generating:
 
     @contextlib.contextmanager
     def _session(self, job: Job) -> Iterator[Session]:
-        """Yield the session of one scene, which includes the spending of earlier runs."""
+        """Yield the call session of one scene, whose spending includes that of earlier runs."""
         with contextlib.ExitStack() as open_:
             shared = self.shared_budget
             spending = None if shared is None else open_.enter_context(shared.spending())

@@ -86,7 +86,7 @@ class WorkerPool(TaskPool):
     def submit(
         self, function: Callable[..., T], *args: Any, timeout: float | None = None
     ) -> Future[T]:
-        """See ``TaskPool``; ``timeout`` kills the worker and its child processes."""
+        """See ``TaskPool``; after ``timeout``, the worker and its child processes are killed."""
         state, task = self._state, _Task(cloudpickle.dumps((function, args)), timeout)
         if len(state.workers) < self.width:
             worker = _Worker(state, len(state.workers))
@@ -123,7 +123,7 @@ class _Task:
 
 @dataclass(eq=False)
 class _State:
-    """State that must not outlive the pool; threads refer to this, never to the pool."""
+    """The part of a pool that its threads refer to, so that they do not keep the pool alive."""
 
     begin: bytes
     folder: Path | None
@@ -143,7 +143,7 @@ class _State:
 
 @dataclass(eq=False)
 class _Worker:
-    """One process at a time, ``busy`` while it runs a task, ``proven`` once it has finished one."""
+    """Runs one process at a time: ``busy`` during a task, and ``proven`` once it has run a task."""
 
     state: _State
     number: int
@@ -211,7 +211,7 @@ class _Worker:
         return value
 
     def discard(self) -> int:
-        """Kill and forget the process; return its exit code. Call this in the serving thread only.
+        """Kill and forget the process; return its exit code. Call this only in the serving thread.
 
         Other threads kill the process (``_kill``) without changing the worker, because it may be
         about to start another process.

@@ -73,7 +73,7 @@ class SceneDistribution:
         self._check_needs()
 
     def _check_needs(self) -> None:
-        """Convert the needs to tuples and check that all of their objects exist."""
+        """Convert ``needs`` to tuples, and check that all objects in them exist."""
         from .theme_content import read_need
 
         given = self.needs
@@ -92,7 +92,7 @@ class SceneDistribution:
         object.__setattr__(self, "needs", tuple(tuple(phrases) for phrases in given))
 
     def _check(self, name: str, known: Iterable[str]) -> None:
-        """Convert a field of names to a tuple and check that all of them are known."""
+        """Convert a field of names to a tuple, and check that all names are known."""
         given = getattr(self, name)
         if isinstance(given, str):
             raise InputError(f"SceneDistribution.{name} must be a tuple, got the string {given!r}.")

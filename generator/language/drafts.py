@@ -21,7 +21,7 @@ MAX_OBJECTS = 40
 
 @dataclass(eq=False)
 class Draft:
-    """An object while the text is parsed; ``relations`` holds pairs (kind, Draft or "table")."""
+    """An object during parsing; ``relations`` pairs each kind with a target (Draft or "table")."""
 
     noun: str
     category: str | None
@@ -164,7 +164,7 @@ _CARRIERS = frozenset(
 
 
 def assumed_relation(draft: Draft, owner: Draft, held: bool) -> str:
-    """Return the relation of an object that is named with its owner: "in", "on" or "next_to"."""
+    """Return how an object attached to an owner is placed by default: "in", "on" or "next_to"."""
     if owner.category is None:
         return "in" if held else "next_to"
     if is_lit(draft.category or "", owner.category):

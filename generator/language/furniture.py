@@ -23,7 +23,7 @@ _DEFAULT = Theme(
 def plan_table(
     reading: Reading, theme: Theme | None, count: int, rng: np.random.Generator
 ) -> PlannedTable:
-    """Plan a text's table for ``count`` objects; the theme and chance determine what is left open.
+    """Plan a text's table for ``count`` objects; theme and chance decide what the text leaves open.
 
     A table whose size is not specified is smaller if there are few objects.
     """
@@ -86,7 +86,7 @@ def _colors(words: list[str]) -> list[str]:
 def _size(
     reading: Reading, theme: Theme, outline: OutlineKind, words: list[str]
 ) -> tuple[float, float, float]:
-    """Return the length, depth and height in metres from lengths or else size words in the text."""
+    """Return the length, depth and height in metres, from lengths or size words in the text."""
     x, y, z = theme.size
     if outline in ("square", "round"):
         x = y = float(np.sqrt(x * y)) * (1.02 if outline == "round" else 1.0)

@@ -1,4 +1,4 @@
-"""From words to catalogue categories: exact names, then reviewed synonyms, not fuzzy matching."""
+"""From words to catalogue categories by exact names, then reviewed synonyms; no fuzzy matching."""
 
 from __future__ import annotations
 
@@ -123,7 +123,7 @@ def collective_of(words: tuple[str, ...]) -> tuple[str, ...]:
 
 
 def is_phrase_start(words: tuple[str, ...]) -> bool:
-    """Return whether these words, including "of" or "and", form one noun."""
+    """Return whether words that include "of" or "and" form a single noun."""
     return bool({"of", "and"} & set(words)) and (
         category_of(words) is not None or " ".join(words) in COLLECTIVES
     )
@@ -135,7 +135,7 @@ def is_setting(word: str) -> bool:
 
 
 def names() -> Collection[str]:
-    """Return all names of a category."""
+    """Return all nouns that name a category."""
     return _index().keys()
 
 

@@ -67,7 +67,7 @@ def _likely(
     looks: Sequence[Mapping[int, tuple[float, float]] | None],
     shift: float,
 ) -> Float[np.ndarray, "n k"]:
-    """Return each category's likelihood of the sizes and shapes at table log scale ``shift``."""
+    """Return each category's likelihood given the sizes and shapes at table log scale ``shift``."""
     likely = np.full(names.shape, _UNLIKE)
     likely[:, -1] = _ANY
     for row, seen in zip(likely, looks, strict=True):
@@ -90,7 +90,7 @@ def free_labels(names: Float[np.ndarray, "n k"], keys: Sequence[str]) -> list[st
 
 
 def shape_word(width: float, height: float, share: float) -> str:
-    """Return "tall object", "flat object", "round object" or "object", by a mask's shape."""
+    """Return "tall object", "flat object", "round object" or "object" for the shape of a mask."""
     if height > 1.6 * width:
         return "tall object"
     if width > 1.6 * height:
@@ -134,5 +134,5 @@ def assign(
 
 
 def known_category(instance: Instance, size: SizePrior) -> Category | None:
-    """Return the catalogue category of an instance's label or of its size prior's name, if any."""
+    """Return the catalogue category of an instance's label or of its size prior's name, or None."""
     return find_category(instance.label) or find_category(size.name.rstrip("_0123456789"))

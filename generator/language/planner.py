@@ -123,7 +123,7 @@ def _setting(
 
 
 def _default_theme(reading: Reading, *, empty: bool) -> str | None:
-    """Return the default theme of a table noun; for "table" itself only if there are no objects."""
+    """Return a table noun's default theme; "table" itself has one only if there are no objects."""
     heads = [noun.words[-1] for noun in reading.table if noun.kind == "table"]
     heads = [head for head in heads if empty or head not in ("table", "tabletop")]
     return next((DEFAULT_TABLES[head] for head in heads if head in DEFAULT_TABLES), None)
@@ -185,7 +185,7 @@ def _warn_of_lengths(reading: Reading) -> list[str]:
 
 
 def _size(draft: Draft) -> tuple[float, float, float] | None:
-    """Return the extent from a length in the text, or that of an unknown noun's family."""
+    """Return the extent from a length in the text, or from the family of an unknown noun."""
     if not draft.lengths:
         return None if draft.category else stand_in_size(draft.family, draft.attributes)
     known = CATEGORIES[draft.category].size if draft.category else stand_in_size(draft.family)

@@ -119,7 +119,7 @@ def _number_warnings(use: NumberUse, lost: Sequence[str]) -> list[str]:
 
 
 def _with_unread(error: InputError, use: NumberUse) -> InputError:
-    """Add the numbers that could not be read to an error, if they may have caused it."""
+    """Add the numbers that could not be read to an error's message, if they may have caused it."""
     spoiling = (n for n in use.unused if n.role == "count" and (n.value is None or n.unit))
     unread = dict.fromkeys(n.text for n in spoiling)
     if not unread:

@@ -21,7 +21,7 @@ _SUPPORTED = ("on", "in")
 
 
 def kind(word: str) -> RelationKind:
-    """Return ``word`` as a relation kind.
+    """Check that ``word`` is a relation kind, and return it.
 
     Raises:
         InputError: The word is not a relation kind.
@@ -173,7 +173,7 @@ _STEMS: Mapping[str, float] = {
 
 
 def body_size(category: str) -> tuple[float, float, float]:
-    """Return the extent, in metres, of the part inside a vessel, such as a flower's stem."""
+    """Return the extent, in metres, of the part that is in a vessel, such as a flower's stem."""
     x, y, z = CATEGORIES[category].size
     share = _STEMS.get(category, 1.0)
     return x, y * share, z * share
@@ -184,7 +184,7 @@ _FOOT: Mapping[str, float] = {"monitor": 0.42, "desk_lamp": 0.6, "globe": 0.7, "
 
 
 def standing_size(planned: PlannedObject) -> tuple[float, float, float]:
-    """Return the extent, in metres, of an object's base, with the object's full height."""
+    """Return the length and width of an object's base and the object's full height, in metres."""
     x, y, z = size_of(planned)
     share = _FOOT.get(planned.category, 1.0)
     return x * share, y * share, z

@@ -1,4 +1,4 @@
-"""Open variants of vessels, and sizes of vessels and carriers, that suit their contents.
+"""Choice of open vessels, and of the sizes of vessels and carriers, to suit their contents.
 
 A fruit bowl is larger than a cereal bowl, and a tray for a tea service is larger than one for two
 cups. Carriers are therefore enlarged, within a plausible range, to hold their contents.
@@ -172,7 +172,7 @@ def _is_holder(planned: PlannedObject) -> bool:
 
 
 def _across(sizes: Sequence[Extent], vessel: PlannedObject) -> float:
-    """Return the width, in metres, of a vessel in which objects can stand side by side.
+    """Return the width, in metres, that a vessel needs for objects to stand in it side by side.
 
     A circle of diameter 0.9 + 0.87 sqrt(n) holds about n unit circles; round vessels narrow
     downwards.

@@ -1,4 +1,4 @@
-"""Arrangement by relations: sampled candidates, hard limits and a score for natural placement."""
+"""Arrangement by relations: sampled candidates, hard limits and a score for natural positions."""
 
 from __future__ import annotations
 

@@ -52,7 +52,7 @@ class Stance:
 
 @dataclass(frozen=True)
 class _Ring:
-    """Target position of one of ``count`` objects, by angle in radians and fraction of the radius.
+    """The target position of one of ``count`` objects: its angle in radians and relative radius.
 
     ``twist`` is the angle between the foot and the point opposite the top, radians.
     """
@@ -194,7 +194,7 @@ def _ring(number: int, count: int, stem: Stem, cavity: Cavity) -> _Ring:
 def _proposals(
     stem: Stem, cavity: Cavity, ring: _Ring, *, straight: bool
 ) -> tuple[Float[np.ndarray, "n 3"], Float[np.ndarray, "n 3"], Float[np.ndarray, "n"]]:
-    """Return candidate points on the floor, the points where the axes cross the rim, and costs."""
+    """Return candidate points on the floor, where their axes cross the rim, and their costs."""
     steps = (0.15, 0.3, 0.5, 0.75, 1.0, 1.3, 1.6, 2.0, 2.4, 2.8, 3.1)
     spread = np.array([0.0, *(s * v for v in steps for s in (1, -1))])
     twists = np.array([ring.twist] if ring.count == 1 else

@@ -95,7 +95,7 @@ def _look_around(
     levels: Float[np.ndarray, "l"],
     reach: float,
 ) -> Float[np.ndarray, "l s"]:
-    """Return the distance to the first wall by level and direction, or inf if there is none."""
+    """Return the distance to the first wall per level and direction, or inf if there is none."""
     away = np.linspace(0, reach, _STEPS)
     flat = middle + away[:, None, None] * _WAYS  # (steps, sectors, 2)
     points = np.empty((len(levels), SECTORS, _STEPS, 3))

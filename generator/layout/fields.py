@@ -41,7 +41,7 @@ class HeightField:
     def resting(
         self, model: Model, yaw: float
     ) -> tuple[Float[np.ndarray, "nx ny"], Float[np.ndarray, "nx ny"]]:
-        """Return the heights of an object's centre when it rests centred on each cell.
+        """Return, for each cell, the height of an object's centre if the object rests on that cell.
 
         The second array is the fraction of the cells under the object that are empty. If all of
         them are empty, the height is -inf.
@@ -71,7 +71,7 @@ class HeightField:
 
 
 def field_of(model: Model, placement: Placement) -> HeightField:
-    """Return the height field of an object in its placement."""
+    """Return the height field of an object at its placement."""
     corners = model.mesh.vertices * placement.scale @ rotation_z(placement.yaw).T
     low = corners[:, :2].min(0) + placement.translation[:2]
     high = corners[:, :2].max(0) + placement.translation[:2]

@@ -69,7 +69,7 @@ def file_away(
 
 
 def _start(box: _Box, wide: float, cavity: Cavity) -> float:
-    """Return the distance from the box's end at which a row fits, as corners may have posts."""
+    """Return how far from the box's end a row must start, since posts may stand in the corners."""
     for start in np.linspace(0.0, 0.2 * box.length, 12):
         ends = np.array([[start - box.length, s * wide / 2, z] for s in (-1, 1)
                          for z in (cavity.floor, cavity.rim)])  # fmt: skip
@@ -221,7 +221,7 @@ def leans(model: Model, cavity: Cavity) -> bool:
 def file_in_box(
     vessel: Model, flat: Mapping[str, Model], cavity: Cavity
 ) -> tuple[Model, dict[str, Model]] | None:
-    """Return a box with slots for flat objects on edge, and their models, or None if too small."""
+    """Put flat objects on edge in a box; return it and their models, or None if it is too small."""
     turned = file_away(flat, cavity)
     if turned is None:
         return None

@@ -1,4 +1,4 @@
-"""Check of which relations in a plan hold in the settled scene, and by how much.
+"""Check of whether the relations in a plan hold in the settled scene, and by what margin.
 
 Supports are determined from contacts; containment and positions from the shapes of the objects at
 rest. The intended placements are not used. ``foresee`` evaluates placements before settling.
@@ -48,7 +48,7 @@ _RIM = 0.04  # maximum height above the rim of a contained object's centre, metr
 
 @dataclass(frozen=True, eq=False)
 class _Thing:
-    """An object at rest: its outline seen from above, base position and height range, in metres."""
+    """An object at rest, in metres: its outline from above, its base position and height range."""
 
     center: Float[np.ndarray, "3"]
     outline: Float[np.ndarray, "k 2"]
@@ -208,7 +208,7 @@ def _margin(
 
 
 def _support_margin(name: str, relation: Relation, rest: Rest) -> float:
-    """Return how far the object's centre is inside its support; negative if it is not supported."""
+    """Return how far inside its support the object's centre is; negative if it is not supported."""
     own, target = rest.things[name], rest.things[relation.target]
     inside = float(inside_margin(own.center[None, :2], target.outline)[0])
     if not _is_carried(name, relation.target, rest, relation.kind == "in"):

@@ -193,7 +193,7 @@ def _rolls(planned: PlannedObject) -> bool:
 def _crowding(
     shape: Footprint, ground: HeightField, base: Placement, cells: tuple[int, ...]
 ) -> Float[np.ndarray, "nx ny"]:
-    """Return how much of the middle, which others also need, an object would take at each place."""
+    """Return how far, in metres, an object on each cell would extend over the support's centre."""
     grid = np.stack(np.meshgrid(*map(np.arange, cells), indexing="ij"), -1)
     centers = ground.origin + ground.step * grid
     away = np.linalg.norm(centers - base.translation[:2], axis=-1)
@@ -295,7 +295,7 @@ def _best_place(
     rng: np.random.Generator,
     state: State,
 ) -> Float[np.ndarray, "2"] | None:
-    """Return the best free place on the tabletop, or None; its cost is added to the state."""
+    """Return the best free place on the tabletop, or None; its cost is added to ``state.cost``."""
     near = {r.target: state.neighbours[r.target] for r in planned.relations
             if r.target in state.neighbours}  # fmt: skip
     awaited = tuple(state.awaited.get(planned.name, ()))
@@ -329,7 +329,7 @@ def placed_triangles(model: Model, placement: Placement) -> Float[np.ndarray, "m
 def surface(
     corners: Float[np.ndarray, "m 3 3"], points: Float[np.ndarray, "p 2"], *, upper: bool
 ) -> Float[np.ndarray, "p"]:
-    """Return the highest (or lowest) z of triangles at each point, or -inf (or inf) if none."""
+    """Return the top (or bottom) z of triangles at each point; -inf (or inf) if there are none."""
     none = -np.inf if upper else np.inf
     a, b, c = corners[:, 0], corners[:, 1], corners[:, 2]
     area = (b[:, 0] - a[:, 0]) * (c[:, 1] - a[:, 1]) - (b[:, 1] - a[:, 1]) * (c[:, 0] - a[:, 0])

@@ -159,7 +159,7 @@ def score(
 def _crowded_out(
     awaited: Awaited, centers: Float[np.ndarray, "m 2"], outline: Float[np.ndarray, "k 2"]
 ) -> Float[np.ndarray, "m"]:
-    """Return how far an awaited object beside this one would overhang the table, in 5 cm units."""
+    """Return the overhang of an object to be placed beside this one later, in units of 5 cm."""
     theirs, own, way = SIDES[awaited.kind]
     distance = awaited.beside.reach[theirs] + awaited.shape.reach[own] + _BETWEEN
     places = centers + awaited.offset + distance * np.array(way)
@@ -224,7 +224,7 @@ def edge_gaps(
 def _hiding(
     shape: Footprint, centers: Float[np.ndarray, "m 2"], others: Sequence[Neighbour]
 ) -> Float[np.ndarray, "m"]:
-    """Return the fraction hidden when seen from the raised front, summed over pairs of objects."""
+    """Return the fraction hidden from a viewer in front and above, summed over pairs of objects."""
     total = np.zeros(len(centers))
     for other in others:
         offset = centers - other.center

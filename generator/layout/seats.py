@@ -20,7 +20,7 @@ _LONG = 1.35  # ratio of length to depth above which a table for four has no sea
 
 @dataclass(frozen=True)
 class Seat:
-    """One seat.
+    """One seat at a table.
 
     Attributes:
         turn: yaw of the place setting, radians; 0 is the seat in front of the table.

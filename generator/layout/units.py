@@ -129,7 +129,7 @@ def _center(
     shapes: Mapping[str, Footprint],
     turn: float,
 ) -> tuple[dict[str, Float[np.ndarray, "2"]], dict[str, float], Footprint]:
-    """Return the members' offsets and turns about their centre, facing a seat, and their hull."""
+    """Return the members' centred offsets, their turns and their hull, all rotated by ``turn``."""
     matrix = rotation_z(turn)[:2, :2]
     corners = [shapes[n].outline @ rotation_z(turns[n])[:2, :2].T + places[n] for n in places]
     points = np.concatenate(corners)

@@ -28,7 +28,7 @@ _FILLED = 0.4  # assumed ratio between the volumes of an open mesh and of its bo
 
 @dataclass(frozen=True)
 class Normal:
-    """The target size of foreign meshes.
+    """The target numbers of triangles and texels of foreign meshes.
 
     Attributes:
         faces: maximum number of triangles, 50 to 25,000; up to four times as many where the shape

@@ -28,7 +28,7 @@ Faces = Int[np.ndarray, "_ 3"]
 
 
 def reduce(vertices: Vertices, faces: Faces, maximum: int, what: str) -> tuple[Vertices, Faces]:
-    """Return a shape with about ``maximum`` triangles, or up to four times as many if required.
+    """Return a shape with about ``maximum`` triangles, or up to four times as many where needed.
 
     The shape is simplified by quadric error and compared with the original: silhouettes from four
     directions must overlap by at least 97 %, and the volume of a closed shape may change by at most

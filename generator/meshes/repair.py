@@ -1,4 +1,4 @@
-"""Repair of foreign meshes with loose, duplicate or inside-out triangles; sheets become thicker.
+"""Repair of foreign meshes with loose, duplicate or inside-out triangles; sheets are thickened.
 
 The steps are as follows: coincident vertices are merged; slivers, duplicate faces, crumbs and fins
 are removed (``clean``); faces are turned outwards; small holes are closed (``fill_holes``). A mesh
@@ -29,7 +29,7 @@ _FLAT = 1e-3  # fraction of the longest side below which a mesh counts as flat
 
 
 def clean(surface: ColoredSurface, what: str) -> ColoredSurface:
-    """Return a surface without slivers, duplicate faces, loose crumbs and fins.
+    """Return a surface without slivers, duplicate faces, small loose pieces and fins.
 
     A crumb is a piece with less than 0.05 % of the area. Fins are attached to edges that two other
     faces share, and have at most 5 % of the area in total. Two faces with the same vertices but

@@ -27,7 +27,7 @@ _SLACK = 1e-3  # tolerance for texture coordinates outside [0, 1]
 
 
 def own_texture(surface: ColoredSurface) -> Mesh | None:
-    """Return a surface as is if one plain colour or unrepeated picture covers it, or else None."""
+    """Return the surface if one plain colour or unrepeated picture covers it, or else None."""
     used, faces = np.unique(surface.faces, return_inverse=True)
     faces = faces.reshape(-1, 3)
     vertices, uv = surface.vertices[used], surface.uv[used]
@@ -91,7 +91,7 @@ class Nearby:
 
     @classmethod
     def of(cls, surface: ColoredSurface) -> Nearby:
-        """Sample a surface."""
+        """Return a surface with points sampled from it."""
         owner, samples = _spread(surface)
         return cls(surface, owner, samples, face_normals(surface.vertices, surface.faces[owner]))
 
@@ -153,7 +153,7 @@ def _spread(surface: ColoredSurface) -> tuple[Int[np.ndarray, "s"], Float[np.nda
 def _closest(
     point: Texels, triangle: Float[np.ndarray, "t 3 3"]
 ) -> tuple[Texels, Float[np.ndarray, "t"]]:
-    """Return a triangle's approximately nearest point, as weights, and its squared distance."""
+    """Return each triangle's approximately nearest point as weights, and its squared distance."""
     # This is the foot of the perpendicular, clamped to the triangle along its sides.
     a, b, c = triangle.transpose(1, 0, 2)
     ab, ac, ap = b - a, c - a, point - a

@@ -83,7 +83,7 @@ class CropView:
 
     @classmethod
     def of(cls, vertices: Vertices, faces: Faces, projection: Projection) -> CropView:
-        """Render a mesh in the object frame."""
+        """Return the view of a mesh that is given in the object frame."""
         corners = projection.corners(vertices, faces)
         near = nearest(corners, projection.width, projection.height)[1]
         near = near.reshape(projection.height, projection.width)
@@ -91,7 +91,7 @@ class CropView:
         return cls(projection, near, float(np.linalg.norm(np.ptp(vertices, axis=0))))
 
     def sees(self, surface: SurfacePoints, minimum: float = _GRAZING) -> Bool[np.ndarray, "t"]:
-        """Return which points are visible and seen at a cosine above ``minimum``."""
+        """Return which points are visible and face the camera at a cosine above ``minimum``."""
         view, pixel = self.projection, np.floor(self.projection.project(surface.point)).astype(int)
         line = view.position - surface.point
         cosine = (surface.normal * line).sum(1) / np.linalg.norm(line, axis=1)
@@ -251,5 +251,5 @@ def lay_out(atlas: Atlas, colors: Texels) -> UInt8[np.ndarray, "s s 3"]:
 def apply_texture(
     atlas: Atlas, vertices: Vertices, texture: UInt8[np.ndarray, "s s 3"], opacity: float = 1.0
 ) -> Mesh:
-    """Return the mesh of ``atlas``, with the original vertices at the given positions."""
+    """Return the textured mesh of ``atlas``, given the positions of the original vertices."""
     return Mesh(vertices[atlas.source], atlas.faces, atlas.uv, texture, opacity)

@@ -1,4 +1,4 @@
-"""Ablations (Sec. 4.3): the reasoner's answers replace a stage.
+"""Ablations (Sec. 4.3), in which the reasoner's answers replace a stage of the method.
 
 Without DRO, the reasoner gives the rotations (this module); without TSA, it gives the positions and
 sizes (``alignment.placement.ask_layout``).
@@ -40,7 +40,7 @@ def ask_rotations(
     view: View,
     guesser: PoseGuesser,
 ) -> dict[str, Rotation]:
-    """Return the reasoner's yaw of every instance except the table, without a loss.
+    """Return the yaw that the reasoner gives each instance except the table; there is no loss.
 
     Raises:
         BackendError: an answer is missing or is not a finite angle.

@@ -198,7 +198,7 @@ def with_lean_of(scene: Scene, config: AssemblyConfig) -> AssemblyConfig:
 
 
 def arrange(scene: Scene, config: AssemblyConfig) -> tuple[Scene, tuple[str, ...]]:
-    """Remove overlaps: place on the table, separate, stack, separate again and finally relocate.
+    """Remove overlaps by putting objects on the table, separating, stacking and relocating them.
 
     Returns the scene and the names of objects without a free position.
     """
@@ -218,7 +218,7 @@ def rest(
     may: Collection[str] | None = None,
     loose: Collection[str] | None = None,
 ) -> tuple[Scene, tuple[str, ...]]:
-    """Settle a scene; set objects that topple upright on a weighted foot, and settle it again.
+    """Settle a scene; stand toppled objects upright on a weighted foot, and settle the scene again.
 
     ``may`` names the objects that may get a foot, and ``loose`` those that may move; None means
     all. Objects that may not move keep their poses and support the others. Returns the scene at
@@ -299,7 +299,7 @@ def _find_toppled(simulation: Simulation, poses: Sequence[Pose], limit: float) -
 
 
 def _again(scene: Scene, config: AssemblyConfig, loose: Collection[str] | None) -> Scene:
-    """Settle loose objects further, shaking them by more than the gate's tilt if none topples."""
+    """Settle loose objects again, shaken by more than the gate's tilt unless others then topple."""
     moving, fixed = _split(scene, loose)
     if not moving.objects:
         return scene
@@ -345,7 +345,7 @@ def _only(names: set[str], may: Collection[str] | None) -> set[str]:
 def _steady(
     arranged: Scene, rested: Scene, config: AssemblyConfig, may: Collection[str] | None
 ) -> Scene:
-    """Return the scene at rest, with a foot under each object that topples if gravity is tilted."""
+    """Return the scene with a weighted foot under each object that topples in tilted gravity."""
     if not config.limits.lean:
         return rested
     standing = {o.name for o in rested.objects if not o.placement.inside}
@@ -356,7 +356,7 @@ def _steady(
 
 
 def _list_footed(arranged: Scene, rested: Scene) -> tuple[str, ...]:
-    """Return the names of objects that received a foot in :func:`rest`, in the scene's order."""
+    """Return the names of objects that received a weighted foot in :func:`rest`, in scene order."""
     pairs = zip(arranged.objects, rested.objects, strict=True)
     return tuple(after.name for before, after in pairs if len(after.parts) > len(before.parts))
 
@@ -371,7 +371,7 @@ def _without(scene: Scene, names: set[str]) -> Scene:
 def finish(
     rested: Rested, config: AssemblyConfig | None = None, may: Collection[str] | None = None
 ) -> Scene:
-    """Run the gate; until it passes, shake the scene and put toppling objects (``may``) on feet."""
+    """Run the gate; until it passes, shake the scene and add weighted feet to toppling objects."""
     config = config or AssemblyConfig()
     wanted, arranged, scene = rested.wanted, rested.arranged, rested.scene
     poses = [[o.pose for o in each.objects] for each in (wanted, arranged)]

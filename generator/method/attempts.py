@@ -31,7 +31,7 @@ class Candidate:
 
 @dataclass(frozen=True, eq=False)
 class Attempts:
-    """The scene that passed the gate and meets the most relations, or None, and the failed ones."""
+    """The scene that passed the gate with most relations met, or None, and the failed scenes."""
 
     best: Scene | None
     failed: tuple[Scene, ...]

@@ -114,7 +114,7 @@ class Reconstruction:
         )  # fmt: skip
 
     def assemble_laid(self, laid: Laid) -> Scene:
-        """Return the settled scene of a draft's objects at their positions, with its report."""
+        """Return the settled scene of the objects of a laid-out draft, with its report."""
         plan, size = laid.draft.plan, laid.table.size
         table = replace(plan.table, size=(float(size[0]), float(size[1]), float(size[2])))
         return assemble(

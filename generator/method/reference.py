@@ -1,4 +1,4 @@
-"""Reference (Sec. 3, Fig. 8): a text is planned and drawn; a picture is used directly."""
+"""Reference images (Sec. 3, Fig. 8): a text is planned and drawn; a picture is used directly."""
 
 from __future__ import annotations
 

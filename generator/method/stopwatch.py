@@ -1,4 +1,4 @@
-"""Durations of the stages; bundles omit them, so that equal inputs give equal bytes."""
+"""Timing of the pipeline's stages; bundles omit the times, so that they are reproducible."""
 
 from __future__ import annotations
 

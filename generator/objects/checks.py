@@ -1,4 +1,4 @@
-"""Checks of one category: shape, collision parts, size, mass, variants, stability, style and facts.
+"""Checks of a category: shape, parts, size, mass, variants, stability, style, names and index.
 
 ``check_category`` runs all checks on the variants of the first seeds. ``tests/catalogue`` and
 ``tabletopgen objects check`` print the same results.
@@ -263,7 +263,7 @@ def check_names(category: Category) -> CheckResult:
 
 @cache
 def _claims() -> Mapping[str, tuple[tuple[str, bool], ...]]:
-    """Map each name to pairs: a category's key, and whether the name is that category's noun."""
+    """Map each name to pairs of a category's key and whether the name is the category's noun."""
     claims: dict[str, tuple[tuple[str, bool], ...]] = {}
     for key, category in CATEGORIES.items():
         for name in {category.noun, *category.aliases}:
@@ -302,7 +302,7 @@ _SIZE, _COLOR, _SPREAD = 0.05, 8.0, 6.0  # visible steps of log size and of colo
 
 
 def appearance(model: Model) -> Float[np.ndarray, "9"]:
-    """Return the log size and the mean and spread of the colours, in units of a visible step."""
+    """Return a model's log size and its colours' mean and spread, in units of a visible step."""
     mesh = model.mesh
     area = areas(mesh.vertices.astype(float) * model.size, mesh.faces)
     height, width = mesh.texture.shape[:2]
@@ -318,7 +318,7 @@ def appearance(model: Model) -> Float[np.ndarray, "9"]:
 
 
 def count_looks(models: Iterable[Model]) -> int:
-    """Count the models that differ by a visible step from every model counted before."""
+    """Count the models that visibly differ from every model counted before."""
     looks: list[Float[np.ndarray, "9"]] = []
     for model in models:
         here = appearance(model)
@@ -328,7 +328,7 @@ def count_looks(models: Iterable[Model]) -> int:
 
 
 def is_closed(mesh: Mesh) -> bool:
-    """Return whether each edge is used equally often in both directions once vertices are merged.
+    """Return whether, after merging vertices, each edge is used equally often in both directions.
 
     Only vertices with bitwise identical positions are merged.
     """
@@ -374,7 +374,7 @@ def floor_spec() -> mujoco.MjSpec:
 
 
 def stand(spec: mujoco.MjSpec, model: Model, free: bool) -> mujoco.MjsBody:
-    """Add a model's collision parts to a spec as a body on the floor, and return the body."""
+    """Add a model's collision parts to ``spec`` as a body on the floor, and return the body."""
     import mujoco
 
     body = spec.worldbody.add_body(name=model.name, pos=[0, 0, model.size[2] / 2])
@@ -397,7 +397,7 @@ def stand(spec: mujoco.MjSpec, model: Model, free: bool) -> mujoco.MjsBody:
 
 
 def drift(model: Model) -> tuple[float, float]:
-    """Return how far a free model moves (metres) and turns (degrees) within one second."""
+    """Return how far a model on the floor moves (metres) and turns (degrees) within one second."""
     import mujoco
 
     spec = floor_spec()

@@ -1,4 +1,4 @@
-"""Lookup of objects and of facts about them, for people and programs."""
+"""Functions that look up object categories and return their properties as JSON values."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def select(theme: str | None = None, role: str | None = None) -> tuple[Category,
 
 
 def themes() -> tuple[str, ...]:
-    """Return the themes in alphabetical order; a category is in the folder of its first theme."""
+    """Return the themes in alphabetical order; each category is stored under its first theme."""
     return tuple(sorted({theme for category in categories() for theme in category.themes}))
 
 

@@ -25,7 +25,7 @@ _TEMPLATE = "page.html"
 def write_page(
     folder: Path, themes: Sequence[str] = (), *, workers: int = 1, shown: Shown | None = None
 ) -> Path:
-    """Draw the objects of all or selected themes and write the page; return its path.
+    """Draw the objects of all or selected themes, write the page, and return its path.
 
     Raises:
         InputError: A theme does not exist.

@@ -36,7 +36,7 @@ _QUALITY = 80
 
 
 def by_folder(chosen: Sequence[str] = ()) -> Mapping[str, tuple[Category, ...]]:
-    """Group the categories of ``chosen`` themes (default: all) by first theme, sorted by noun.
+    """Group the categories of the ``chosen`` themes (by default, all) by first theme, then noun.
 
     Raises:
         InputError: A theme does not exist.

@@ -1,1 +1,1 @@
-"""Mass, convex parts, separation, placement, settling and the physical gate of bodies."""
+"""Physics of scenes: masses, convex parts, separation, placement, settling and final checks."""

@@ -101,7 +101,7 @@ def _lacking(
 
 
 def _deep_in_box(part: ConvexPart, points: Points, depth: float) -> Bool[np.ndarray, "n"]:
-    """Return whether points are deeper than ``depth`` inside a part's bounding box."""
+    """Return which points are deeper than ``depth`` inside a part's bounding box."""
     (x, y, z), (low, high) = points.T, part.bounds
     (x0, y0, z0), (x1, y1, z1) = low + depth, high - depth
     return (x > x0) & (x < x1) & (y > y0) & (y < y1) & (z > z0) & (z < z1)
@@ -114,7 +114,7 @@ def _distances(parts: Sequence[ConvexPart], points: Points) -> Float[np.ndarray,
 def _surface(
     places: Vertices, faces: Faces
 ) -> tuple[Float[np.ndarray, "k 3"], Float[np.ndarray, "k 3"], Int[np.ndarray, "e"]]:
-    """Return vertices and points on long edges, their normals, and the faces beside the edges."""
+    """Return the vertices and points along long edges, all normals, and each edge point's face."""
     # Parts may contain both ends of an edge but not its middle.
     turn = scaled_normals(places[faces])
     normals = np.zeros_like(places)
@@ -133,7 +133,7 @@ def _surface(
 
 @dataclass(frozen=True, eq=False)
 class _Sky:
-    """The height of the drawn surface in each grid cell, or -inf in cells without samples."""
+    """Maximum height of the visual mesh in each grid cell, or -inf in cells without samples."""
 
     low: Float[np.ndarray, "2"]
     cell: float
@@ -174,7 +174,7 @@ def _seen_from_above(drawn: Points, normals: Points, sky: _Sky) -> Bool[np.ndarr
 def _convex_pieces(
     places: Vertices, faces: Faces, lacking: Int[np.ndarray, "k"], depth: Float[np.ndarray, "k"]
 ) -> list[ConvexPart]:
-    """Return hulls of the mesh's connected pieces that are convex and clearly uncovered.
+    """Return the hulls of connected components of the mesh that are convex and clearly uncovered.
 
     ``depth`` is the distance from the parts to each of the ``lacking`` points.
     """
@@ -246,7 +246,7 @@ def _hull(part: ConvexPart) -> tuple[Int[np.ndarray, "c"], Float[np.ndarray, "k 
 
 
 def _grow(part: ConvexPart, lacking: Points) -> ConvexPart:
-    """Return the part, extended by as many of the points as are needed to contain them all."""
+    """Return the part, extended by just enough of the points ``lacking`` to contain them all."""
     extreme, planes = _hull(part)
     corners, left = part.vertices[extreme], lacking
     for k in range(_ROUNDS):
@@ -268,7 +268,7 @@ def _grow(part: ConvexPart, lacking: Points) -> ConvexPart:
 def _grown_where_solid(
     part: ConvexPart, lacking: Points, normals: Points, bare: Float[np.ndarray, "k 3"]
 ) -> ConvexPart:
-    """Return the part, extended by the points that do not make it cover other drawn surfaces."""
+    """Return the part, extended by the points that do not make it cover other visible surfaces."""
     axis = np.abs(normals).argmax(1)
     facing = 2 * axis + (normals[np.arange(len(axis)), axis] > 0)
     for way in np.unique(facing):  # the points on one side of the surface at a time
@@ -279,7 +279,7 @@ def _grown_where_solid(
 
 
 def _buries(part: ConvexPart, bare: Float[np.ndarray, "k 3"]) -> bool:
-    """Return whether points of the drawn surface are deep inside a part."""
+    """Return whether any of the surface points ``bare`` is deep inside a part."""
     inside = bare[_deep_in_box(part, bare, _BURIED)]
     return bool(len(inside)) and bool((outside(part, inside) < -_BURIED).any())
 
@@ -287,7 +287,7 @@ def _buries(part: ConvexPart, bare: Float[np.ndarray, "k 3"]) -> bool:
 def _patches(
     places: Vertices, faces: Faces, bare: Float[np.ndarray, "k 3"], sky: _Sky, halvings: int = 4
 ) -> list[ConvexPart]:
-    """Return hulls of triangles, which are split while a hull covers ``bare`` or fills a hollow.
+    """Return hulls of groups of triangles, split until no hull covers ``bare`` or fills a hollow.
 
     Triangles are split along their longest side.
     """

@@ -51,7 +51,7 @@ _MOST_CUTS = 48  # maximum number of pieces for which the next finer cut is trie
 
 
 class CutBudget:
-    """Limit on the total number of pieces in the first cuts of several meshes.
+    """Limit on the total number of unmerged pieces in the convex decompositions of several meshes.
 
     A piece takes 0.05 to 0.15 s of CPU time. Solid objects yield 1 to 16 pieces, rough meshes about
     70. Meshes are decomposed as long as pieces are left, and a repeated mesh costs nothing, so the
@@ -130,7 +130,7 @@ def decompose(
 def _coacd(
     vertices: Vertices, faces: Faces, limits: SandboxLimits, cpu: CpuBudget | None
 ) -> tuple[Hulls, int]:
-    """Decompose a mesh by CoACD in a sandbox; return its hulls and the first cut's piece count."""
+    """Decompose a mesh by CoACD in a sandbox; return its hulls and its unmerged piece count."""
     if len(faces) > _MOST_FACES:
         import fast_simplification
 
@@ -152,7 +152,7 @@ def _coacd(
 
 
 def run_coacd(vertices: Vertices, faces: Faces, remesh: bool) -> tuple[Hulls, int]:
-    """Decompose a mesh in this process; return its hulls and the first cut's piece count.
+    """Decompose a mesh in this process; return its hulls and the number of unmerged pieces.
 
     ``remesh`` rebuilds the surface first, which open and self-overlapping meshes need.
     """
@@ -190,7 +190,7 @@ def _overlaps(vertices: Vertices, faces: Faces) -> bool:
 
 
 def _pieces_meet(vertices: Vertices, faces: Faces) -> bool:
-    """Return whether the boxes of two components intersect; if there are many, assume so."""
+    """Return whether the boxes of two components intersect, or True if there are too many."""
     piece = pieces(faces, len(vertices))[faces[:, 0]]
     names, piece = np.unique(piece, return_inverse=True)
     if len(names) > _MOST_PIECES:
@@ -204,7 +204,7 @@ def _pieces_meet(vertices: Vertices, faces: Faces) -> bool:
 
 
 def _read(path: Path) -> tuple[Hulls, int] | None:
-    """Return the hulls and pieces stored at ``path``, or None if the file is missing or invalid."""
+    """Return the hulls and piece count in the file ``path``, or None if it is absent or invalid."""
     try:
         arrays = read_arrays(path, "The cached hulls", SceneError, max_bytes=_MAX_KEPT)
         pieces = int(arrays.pop("pieces"))

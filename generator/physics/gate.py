@@ -175,7 +175,7 @@ def _speeds_up(
 
 
 def _leaning(simulation: Simulation, limits: GateLimits) -> tuple[float, float, list[Failure]]:
-    """Return the largest displacement under tilted gravity, the shortest duration, and failures."""
+    """Test under tilted gravity; return the largest displacement, shortest run (s) and failures."""
     worst, shortest = 0.0, limits.seconds
     bounds = np.array([limits.drift, limits.tilt])
     for side in range(4):
@@ -191,7 +191,7 @@ def _leaning(simulation: Simulation, limits: GateLimits) -> tuple[float, float, 
 def find_toppling(
     scene: Scene, limits: GateLimits, angle: float, among: Collection[str] | None = None
 ) -> tuple[str, ...]:
-    """Return the objects that topple by ``angle`` (radians; ``has_toppled``) under tilted gravity.
+    """Return the objects that topple (``has_toppled``) by ``angle`` radians under tilted gravity.
 
     ``among`` names the objects to test; None means all. The simulation stops early if the tested
     objects are as still as :func:`watch` requires.
@@ -214,7 +214,7 @@ def find_toppling(
 
 @contextmanager
 def _leaning_to(side: int, simulation: Simulation, limits: GateLimits) -> Iterator[None]:
-    """Restart from the scene's poses, with gravity tilted towards one of four sides."""
+    """Restart the simulation at the scene's poses with gravity tilted towards one of four sides."""
     simulation.place([o.pose for o in simulation.scene.objects])
     with simulation.conditions(limits.lean, side * np.pi / 2, _LEANING_TIMESTEP):
         yield
@@ -239,7 +239,7 @@ def _moving(
 
 
 def reach(scene: Scene) -> float:
-    """Return the smallest reach, from one side of the table, that covers all objects."""
+    """Return the smallest reach in metres that covers all objects from one side of the table."""
     if not scene.objects:
         return 0.0
     low, high = scene.table.outline.min(0), scene.table.outline.max(0)

@@ -129,7 +129,7 @@ def weld(mesh: Mesh) -> tuple[Vertices, Faces]:
 def _from_moments(
     weights: Float[np.ndarray, "m"], triangles: Triangles, first: float, second: float
 ) -> MassProperties:
-    """Sum triangles, or (if ``first`` is 4) tetrahedra to the origin, of masses ``weights``."""
+    """Return the mass properties of triangles, or of tetrahedra to the origin if ``first`` is 4."""
     total = float(weights.sum())
     if not total > 0:
         raise SceneError(f"A shape must enclose a volume; its computed mass is {total:.3g} kg.")

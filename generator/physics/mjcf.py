@@ -139,7 +139,7 @@ def written_poses(things: Sequence[Object]) -> Float[np.ndarray, "n 7"]:
 
 
 def encode_obj(mesh: Mesh) -> bytes:
-    """Return a mesh as Wavefront OBJ, with vertices to 1e-6 of the unit box and uv to 1e-5."""
+    """Return a mesh as Wavefront OBJ, with vertices rounded to 1e-6 and uv coordinates to 1e-5."""
     corners = np.repeat(mesh.faces + 1, 2, axis=1)  # each corner with a vertex and its uv
     vertex, uv = f" %.{VERTEX_DIGITS}f", f" %.{UV_DIGITS}f"
     text = row_lines(f"v{3 * vertex}\n", mesh.vertices) + row_lines(f"vt{2 * uv}\n", mesh.uv)
@@ -162,7 +162,7 @@ def texture_path(encoded: bytes) -> str:
 
 
 def mesh_files(mesh: Mesh) -> dict[str, bytes]:
-    """Return the files of a mesh and its texture in a bundle, by path and in this order."""
+    """Return the encoded files of a mesh and its texture by their paths in a bundle, mesh first."""
     obj, png = encode_obj(mesh), encode_png(mesh.texture)
     return {mesh_path(obj): obj, texture_path(png): png}
 

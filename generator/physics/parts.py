@@ -76,7 +76,7 @@ def body_parts(
 
 @dataclass(frozen=True)
 class _Shape:
-    """Convex parts and the mesh that they should cover, in metres, compared by ``digest`` only."""
+    """Convex parts and the mesh that they should cover, in metres; only ``digest`` is compared."""
 
     digest: bytes
     parts: tuple[ConvexPart, ...] = field(compare=False)
@@ -100,7 +100,7 @@ def _cover(shape: _Shape) -> tuple[ConvexPart, ...]:
 
 
 def on_base(parts: Sequence[ConvexPart]) -> tuple[ConvexPart, ...]:
-    """Slightly raise the undersides of parts that stand beside the widest part.
+    """Slightly raise the undersides of parts that are beside the widest part at the bottom.
 
     The wedges of a mug's wall end at the height of its bottom, so each of them would add contacts
     with the table. These would take most of a simulation step, and are redundant because of the
@@ -123,17 +123,17 @@ def on_base(parts: Sequence[ConvexPart]) -> tuple[ConvexPart, ...]:
 
 
 def lowest(thing: Object) -> float:
-    """Return the height of an upright object's lowest collision point above its origin."""
+    """Return the height of an upright object's lowest collision point, relative to its origin."""
     return min(float(part.vertices[:, 2].min()) for part in thing.parts)
 
 
 def highest(thing: Object) -> float:
-    """Return the height of an upright object's highest collision point above its origin."""
+    """Return the height of an upright object's highest collision point, relative to its origin."""
     return max(float(part.vertices[:, 2].max()) for part in thing.parts)
 
 
 def base(thing: Object, pose: Pose) -> Float[np.ndarray, "n 2"]:
-    """Return the world x and y of an upright object's lowest tenth and of its centre of mass."""
+    """Return the world x and y of vertices in an object's lowest tenth, then its centre of mass."""
     points = np.concatenate([part.vertices for part in thing.parts])
     cut = points[:, 2].min() + 0.1 * np.ptp(points[:, 2])
     points = np.concatenate([points[points[:, 2] <= cut], thing.com[None]])

@@ -30,7 +30,7 @@ _STIFFNESS = 1e4  # cost of a square metre of violated cuts, in square metres of
 
 @dataclass(frozen=True, eq=False)
 class Cut:
-    """The constraint ``direction · (D_b - D_a) >= distance``; ``a`` is None for the table."""
+    """Displacement constraint ``direction · (D_b - D_a) >= distance``; without ``a``, D_a is 0."""
 
     a: int | None
     b: int
@@ -142,7 +142,7 @@ def least_push(
 def _least_squares(
     cuts: Sequence[Cut], chains: Sequence[tuple[int, ...]]
 ) -> Float[np.ndarray, "n 2"]:
-    """Return each object's total displacement D.
+    """Return each object's total displacement D, which satisfies the cuts as far as possible.
 
     A cut may be violated by s_k at the cost ``_STIFFNESS * s_k²``. There is therefore always a
     solution, and it is a compromise if the cuts contradict one another. In (d, s) this is a least
@@ -169,7 +169,7 @@ def _least_squares(
 
 
 def _edge_cuts(scene: Scene) -> list[Cut]:
-    """Return the cuts that keep the footprints of objects inside the table's outline.
+    """Return the constraints (cuts) that keep objects' footprints inside the table's outline.
 
     For an object wider than the table, its centre of mass is used instead.
     """

@@ -30,7 +30,7 @@ def settle(
     shake: float = 0.0,
     simulation: Simulation | None = None,
 ) -> tuple[Pose, ...]:
-    """Simulate for ``minimum`` to ``seconds``, until everything rests, and return the poses.
+    """Simulate for ``minimum`` to ``seconds``, until all objects are at rest, and return the poses.
 
     First, gravity is tilted by ``shake`` (radians) towards each of four sides in turn, so that, for
     example, a brush that stands free in a mug falls against the rim and stays there. Free motion is
@@ -60,7 +60,7 @@ def settle(
 def _calm(
     simulation: Simulation, minimum: float, seconds: float, looks: int, pace: Float[np.ndarray, "2"]
 ) -> None:
-    """Simulate until nothing moves faster than ``pace`` (m/s, rad/s) in ``looks`` samples."""
+    """Simulate until ``looks`` successive samples show no motion above ``pace`` (m/s, rad/s)."""
     still, now = 0, simulation.states
     for k in range(max(1, round(seconds / _CHUNK))):
         before = now
@@ -90,7 +90,7 @@ _FOOT = 0.25, 0.75  # minimum and maximum fraction of an object's mass in its fo
 
 
 def on_foot(thing: Object) -> Object:
-    """Return the object with a flat box below it, its foot, that carries part of the mass.
+    """Return the object with a flat box (the foot) added below it, which carries part of the mass.
 
     The foot spans the object's box and is a thirtieth of its height, at least 2 mm. It has at least
     a quarter and at most three quarters of the mass: as much as is needed to lower the common

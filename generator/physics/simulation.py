@@ -77,7 +77,7 @@ class Simulation:
 
     @property
     def time(self) -> float:
-        """Seconds simulated since :meth:`place`."""
+        """Simulated time in seconds since :meth:`place` was called."""
         return float(self.data.time)
 
     @property
@@ -166,7 +166,7 @@ class Simulation:
 
     @contextmanager
     def conditions(self, lean: float, toward: float, timestep: float) -> Iterator[None]:
-        """Temporarily tilt gravity by ``lean`` towards ``toward`` (radians); set the time step."""
+        """Temporarily tilt gravity by ``lean`` towards ``toward`` (radians) and set a time step."""
         option = self.model.opt
         before = option.gravity.copy(), option.timestep
         across = np.array([np.cos(toward), np.sin(toward)]) * np.sin(lean)
@@ -215,7 +215,7 @@ def _compile_at(scene: Scene, fixed: Sequence[Object]) -> mujoco.MjModel:
 
 @dataclass(frozen=True)
 class _Bodies:
-    """The parts of a scene that do not depend on poses, except those of fixed objects."""
+    """The data that determine a compiled scene, except the poses of objects that can move."""
 
     identity: Hashable
     scene: Scene = field(compare=False)
@@ -241,7 +241,7 @@ def _compile(bodies: _Bodies) -> mujoco.MjModel:
 
 
 def find_supported(contacts: Contacts, count: int) -> Bool[np.ndarray, "n"]:
-    """Return whether the table or the floor supports each object through a chain of contacts."""
+    """Return which objects the table or the floor supports through a chain of contacts."""
     held = {ON_TABLE, ON_FLOOR}
     links = {(a, b) for a, b in contacts.pairs.tolist()}
     while True:

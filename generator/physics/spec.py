@@ -44,7 +44,7 @@ def write_no_log() -> None:
 
 @contextmanager
 def no_console() -> Iterator[None]:
-    """Temporarily suppress MuJoCo's printed warnings; ``list_warnings`` returns relevant ones.
+    """Temporarily stop MuJoCo from printing warnings; ``list_warnings`` returns relevant ones.
 
     Warnings of other threads are suppressed at the same time, too.
     """
@@ -73,7 +73,7 @@ def _changing_log() -> Iterator[None]:
 
 
 def new_data(model: mujoco.MjModel) -> mujoco.MjData:
-    """Return the state of a model for simulation without a log file (``write_no_log``)."""
+    """Return new simulation data for a model, without a log file (see ``write_no_log``)."""
     import mujoco
 
     write_no_log()
@@ -81,7 +81,7 @@ def new_data(model: mujoco.MjModel) -> mujoco.MjData:
 
 
 def list_warnings(data: mujoco.MjData) -> tuple[str, ...]:
-    """Return MuJoCo's warnings since a state was made or reset, one message for each kind."""
+    """Return MuJoCo's warnings since ``data`` was made or reset, one message for each kind."""
     import mujoco
 
     raised = [(kind, data.warning[kind]) for kind in range(len(data.warning))]
@@ -89,7 +89,7 @@ def list_warnings(data: mujoco.MjData) -> tuple[str, ...]:
 
 
 def unsimulatable(name: str, reason: str, when: str = "") -> SceneError:
-    """Return an error with the message that MuJoCo cannot simulate a scene."""
+    """Return the error to raise if MuJoCo cannot simulate a scene."""
     said = " ".join(reason.split())[:200]
     return SceneError(
         f"MuJoCo cannot simulate the scene {name!r}{when}: {said!r}. Its bodies may overlap; make "
@@ -185,7 +185,7 @@ def _name(*arrays: np.ndarray) -> str:
 
 
 def _hand_over(spec: mujoco.MjSpec, meshes: Collection[_Drawn]) -> None:
-    """Embed in a specification the meshes and textures to which it refers as files."""
+    """Embed the meshes and textures in a specification that refers to them by file name."""
     import mujoco
 
     shapes, pictures = {m.shape: m for m in meshes}, {m.picture: m for m in meshes}

@@ -1,4 +1,4 @@
-"""Placement of objects at the height of contact with their supports and at free positions."""
+"""Placement of objects on or in their supports, and at free positions on the table."""
 
 from __future__ import annotations
 
@@ -102,7 +102,7 @@ def nearest_free(
 
 
 def overlapping(scene: Scene, name: str, absent: Collection[str] = ()) -> bool:
-    """Return whether ``name`` overlaps an object not in ``absent`` by more than mere contact."""
+    """Return whether ``name`` overlaps, not just touches, an object that is not in ``absent``."""
     return _depth(Simulation(scene), *_others(scene, name, absent)) > TOLERANCE
 
 
@@ -162,7 +162,7 @@ def _lower(
     top: float,
     fall: float,
 ) -> float | None:
-    """Lower an object at ``xy`` to contact; return its height, or None if ``top`` is not free."""
+    """Lower an object at ``xy`` to contact; return its height, or None if ``top`` is blocked."""
 
     def free(z: float) -> bool:
         simulation.positions[index] = [*xy, z]
@@ -181,7 +181,7 @@ def _lower(
 
 
 def _others(scene: Scene, name: str, absent: Collection[str]) -> tuple[int, set[int]]:
-    """Return the index of ``name``, and those of all present objects neither on nor under it."""
+    """Return the index of ``name``, and those of present objects that are not stacked with it."""
     chains = ancestry(scene.objects)
     names = [o.name for o in scene.objects]
     index = names.index(name)
@@ -193,6 +193,6 @@ def _others(scene: Scene, name: str, absent: Collection[str]) -> tuple[int, set[
 
 
 def _depth(simulation: Simulation, index: int, others: Collection[int]) -> float:
-    """Return the depth to which object ``index`` overlaps any of ``others``."""
+    """Return the greatest depth to which object ``index`` overlaps one of ``others``."""
     deep = simulation.contacts().deepest().items()
     return max((d for (a, b), d in deep if index in (a, b) and a + b - index in others), default=0)

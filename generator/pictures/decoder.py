@@ -19,7 +19,7 @@ def decode(
     max_side: int | None = None,
     cancelled: threading.Event | None = None,
 ) -> DecodedPicture:
-    """Decode a picture in a child process, or in this process if it is itself a sandbox child.
+    """Decode a picture in a child process, or in this process if this is already a sandbox child.
 
     The header is checked first, so that a child starts only for a picture whose header is within
     the limits.

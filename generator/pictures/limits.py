@@ -1,4 +1,4 @@
-"""Limits on pictures, one set for each kind of caller; headers are checked before decoding."""
+"""Limits on pictures, which depend on the caller; headers are checked before decoding."""
 
 from __future__ import annotations
 

@@ -85,7 +85,7 @@ def open_picture(raw: bytes, what: str, limits: PictureLimits) -> Iterator[Image
 
 
 def shrink(picture: Image.Image, max_side: int | None) -> UInt8[np.ndarray, "h w 3"]:
-    """Return a picture as RGB with sides of at most ``max_side``; may modify the original."""
+    """Return a picture as RGB with sides of at most ``max_side``; the original may be modified."""
     plain = picture if picture.mode == "RGB" else picture.convert("RGB")
     if max_side is not None:
         plain.thumbnail((max_side, max_side), Image.Resampling.LANCZOS)

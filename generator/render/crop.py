@@ -65,7 +65,7 @@ def in_reference(instance: Instance, box: Float[np.ndarray, "4"]) -> Float[np.nd
 
 
 def mask_in_crop(mask: Bool[np.ndarray, "h w"], instance: Instance) -> UInt8[np.ndarray, "ch cw 4"]:
-    """Crop a mask in reference pixels to an instance; return RGBA with the mask as alpha."""
+    """Crop a mask of the reference image to an instance; return RGBA with the mask as alpha."""
     import cv2
 
     height, width = instance.crop.shape[:2]
@@ -79,7 +79,7 @@ def mask_in_crop(mask: Bool[np.ndarray, "h w"], instance: Instance) -> UInt8[np.
 
 
 def hiders(instance: Instance, things: Sequence[Instance]) -> Bool[np.ndarray, "h w"] | None:
-    """Return a mask of where other objects may occlude an instance, or None if none may."""
+    """Return the mask of other objects that may occlude an instance, or None if there are none."""
     if not instance.occluded:
         return None
     others = [np.asarray(t.mask) for t in things if t.name != instance.name]

@@ -137,7 +137,7 @@ def _colors(
 
 
 def _at_once(work: Callable[..., None], pieces: Sequence[tuple[Any, ...]]) -> None:
-    """Call ``work`` on chunks, each of which ends with an array of pixels, in parallel threads.
+    """Call ``work(*piece)`` for each piece, whose last item is an array of pixels, in parallel.
 
     If there are few pixels, starting a pool would cost more time than it saves.
     """

@@ -24,7 +24,7 @@ _TINY = 1e-6
 def relit(
     images: SoftImages, picture: Float[Tensor, "b 3 h w"], weight: Float[Tensor, "b h w"]
 ) -> Float[Tensor, "b 3 h w"]:
-    """Return the images of renders (on grey, with normals), relit like their pictures.
+    """Return renders (on grey, with normals), relit with the light of their target pictures.
 
     ``picture`` has the same grey background. ``weight`` is the weight of each of its pixels in the
     fit: at least 0, and 0 outside the mask. The light is fitted without gradients, so gradients of

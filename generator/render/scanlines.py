@@ -18,7 +18,7 @@ MOST_LAYERS = 40
 def _spans(
     xy: Float[np.ndarray, "m 3 2"], width: int, height: int
 ) -> tuple[Int[np.ndarray, "k"], Int[np.ndarray, "k"], Int[np.ndarray, "k"], Int[np.ndarray, "k"]]:
-    """Return (triangle, row, first column, end column) of spans of pixels with centres inside."""
+    """Return (triangle, row, first column, end column) for each span of pixels in a triangle."""
     low = np.clip(np.ceil(xy[..., 1].min(1) - 0.5), 0, height).astype(np.int64)
     high = np.clip(np.floor(xy[..., 1].max(1) - 0.5) + 1, 0, height).astype(np.int64)
     triangle, row = _expand(low, np.maximum(high - low, 0))

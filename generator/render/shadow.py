@@ -35,7 +35,7 @@ class Shadow:
         surfaces: Sequence[tuple[Float[np.ndarray, "_ 3"], Int[np.ndarray, "_ 3"]]],
         light: Light,
     ) -> None:
-        """Build a map that contains ``points``; ``surfaces`` are (vertices, faces), in metres."""
+        """Build a map around ``points``; ``surfaces`` are pairs (vertices, faces), in metres."""
         forward = -light.direction
         side = np.cross(forward, [0.0, 1.0, 0.0])
         side /= np.linalg.norm(side)
@@ -54,7 +54,7 @@ class Shadow:
         self._fill(nearest(corners, _SIZE, _SIZE)[1].reshape(_SIZE, _SIZE))
 
     def _fill(self, depth_map: Float[np.ndarray, "h w"]) -> None:
-        """Store the map with an empty border, and its extremes within sample reach of each tile."""
+        """Store the map with an empty border, and its extremes in each tile and around it."""
         around = -(-(int(np.ceil(self._reach)) + 1) // _TILE)  # reach of a sample, in tiles
         self._border = _TILE * (2 * around + 2)
         padded = np.pad(depth_map, self._border, constant_values=-np.inf)
@@ -65,7 +65,7 @@ class Shadow:
         self._lowest = _extremes(padded, around, np.minimum).ravel()
 
     def _on_map(self, points: Float[np.ndarray, "p 3"]) -> tuple[Float[np.ndarray, "p"], ...]:
-        """Return the column and row on the map in cells, and the depth along the rays in metres."""
+        """Return points' columns and rows on the map, and their depths along the rays in metres."""
         turned = points @ self._axes.T
         x, y = ((turned[:, k] - self._low[k]) * self._scale + _RIM for k in range(2))
         return x, y, turned[:, 2]
@@ -73,7 +73,7 @@ class Shadow:
     def lit_share(
         self, points: Float[np.ndarray, "p 3"], normals: Float[np.ndarray, "p 3"]
     ) -> Float[np.ndarray, "p"]:
-        """Return the lit fraction of each point, in [0, 1]; points outside the map are lit."""
+        """Return the fraction in [0, 1] of sunlight at each point, which is 1 outside the map."""
         x, y, far = self._on_map(points)
         cosine = np.clip(np.abs(normals @ self._axes[2]), 0.15, 1)
         bias = 0.002 + self._softness * np.sqrt(1 - cosine**2) / cosine * 1.5
@@ -85,7 +85,7 @@ class Shadow:
         return share
 
     def _tile_along(self, x: Float[np.ndarray, "p"]) -> Int[np.ndarray, "p"]:
-        """Return the tile column (or row) that contains, or is nearest to, map coordinates."""
+        """Return the column (or row) of the tile that contains, or is nearest to, a coordinate."""
         cell = np.clip(x + self._border, 0, self._width - 1).astype(np.int64)
         return cell // _TILE
 
@@ -95,7 +95,7 @@ class Shadow:
         y: Float[np.ndarray, "p"],
         closeness: Float[np.ndarray, "p"],
     ) -> Float[np.ndarray, "p"]:
-        """Return the fraction of samples around each point, in map coordinates, that are lit."""
+        """Return the lit fraction of the samples around each point, given in map coordinates."""
         total = np.zeros(len(x), np.int32)
         first = self._border * (self._width + 1)
         for dx, dy in _TAPS:

@@ -55,7 +55,7 @@ class SampledSurface:
         return replace(self, **kept, area=self.area * (count / len(range(first, count, step))))
 
     def to(self, device: torch.device | str) -> SampledSurface:
-        """Return a copy on another device."""
+        """Return a copy on the given device."""
         return SampledSurface(*(getattr(self, field.name).to(device) for field in fields(self)))
 
 
@@ -110,7 +110,7 @@ class SoftImages:
 def _find_covered(
     position: Float[np.ndarray, "n 3"], normal: Float[np.ndarray, "n 3"], spacing: float
 ) -> Bool[np.ndarray, "n"]:
-    """Mark points that are at most ``spacing`` below another surface that is parallel to theirs."""
+    """Mark points that are at most ``spacing`` below another surface parallel to their own."""
     # Each of the two points must lie on the matching side of the other's plane, which distinguishes
     # a cover from neighbours on a concave or convex surface.
     near = KDTree(position).query(position, k=min(12, len(position)))[1]
@@ -188,7 +188,7 @@ def object_to_camera(
 def rotate(
     points: Float[Tensor, "b n 3"], rotation: Float[Tensor, "b 3 3"]
 ) -> Float[Tensor, "b n 3"]:
-    """Rotate points with a fixed order of summation, which a matrix product does not have."""
+    """Rotate points with a fixed order of summation, unlike a matrix product."""
     x, y, z = points.split(1, 2)
     columns = rotation[:, None].unbind(3)
     return x * columns[0] + y * columns[1] + z * columns[2]
@@ -197,7 +197,7 @@ def rotate(
 def bounds(
     corners: Float[Tensor, "b k 3"], rotation: Float[Tensor, "b 3 3"], center: Float[Tensor, "b 3"]
 ) -> tuple[Float[Tensor, "b 2"], Float[Tensor, "b 2"]]:
-    """Return the minimum and maximum x/z and y/z of objects with centres at ``center``."""
+    """Return the minimum and maximum image coordinates x/z and y/z of objects at ``center``."""
     p = rotate(corners, rotation) + center[:, None]
     xy = p[..., :2] / p[..., 2:]
     return xy.amin(1), xy.amax(1)
@@ -230,7 +230,7 @@ def fit_center(
 def pixel_scale(
     span: Float[Tensor, "b 2"], resolution: int, keep_aspect: bool
 ) -> Float[Tensor, "b 2"]:
-    """Return the pixels per unit at which ``span`` fits a square crop of side ``resolution``."""
+    """Return the scale (pixels per unit) at which ``span`` fits a square of side ``resolution``."""
     if keep_aspect:
         span = span.amax(-1, keepdim=True).expand_as(span)
     return resolution * (1 - 2 * MARGIN) / span.clamp_min(1e-9)
@@ -299,7 +299,7 @@ def _visible(
     scale: Float[Tensor, "b 2"],
     resolution: int,
 ) -> Bool[Tensor, "b n"]:
-    """Return which points are visible in a coarse depth buffer, dilated by one cell."""
+    """Return which points are visible, according to a coarse depth buffer dilated by one cell."""
     b = len(depth)
     cells = max(resolution // 2, 1)
     cell = (pixel.detach() * (cells / resolution)).long().clamp(0, cells - 1)
@@ -314,7 +314,7 @@ def _visible(
 def _splat(
     pixel: Float[Tensor, "b n 2"], values: Float[Tensor, "b n c"], resolution: int
 ) -> Float[Tensor, "b c h w"]:
-    """Add each point's values to its four nearest pixels, then smooth with a one-pixel sigma."""
+    """Add each point's values to its four nearest pixels, then blur with a sigma of one pixel."""
     b, _, c = values.shape
     corner = (pixel - 0.5).floor()
     fraction = pixel - 0.5 - corner

@@ -87,7 +87,7 @@ def _lacks_memory(error: BaseException | None) -> bool:
 
 
 def _find(name: str) -> Any:
-    """Return a class or function of a module; the request comes from the parent process."""
+    """Return the class or function ``name`` ("module:name") that the parent process requests."""
     module, _, path = name.partition(":")
     found: Any = importlib.import_module(module)
     for part in path.split("."):
@@ -96,7 +96,7 @@ def _find(name: str) -> Any:
 
 
 def _leave_with(parent: int) -> None:
-    """Let the kernel kill this process when its parent dies, on Linux."""
+    """Have the kernel kill this process when its parent dies (only on Linux)."""
     if sys.platform == "linux":
         ctypes.CDLL(None).prctl(_DIES_WITH_PARENT, int(signal.SIGKILL))
         if os.getppid() != parent:

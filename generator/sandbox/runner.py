@@ -201,7 +201,7 @@ def _exchange(
     limits: SandboxLimits,
     cancelled: threading.Event | None,
 ) -> tuple[bytes | memoryview, bytes, Breach | None]:
-    """Send the request; return the result, the last part of standard error, and any breach."""
+    """Send the request; return the result, the end of standard error, and a reason for failure."""
     assert process.stdin and process.stdout and process.stderr
     end = time.monotonic() + _HUNG[0] + _HUNG[1] * limits.cpu_seconds
     left, answer, words = memoryview(request), bytearray(), b""
@@ -270,7 +270,7 @@ def _explain(breach: Breach | None, code: int, words: bytes, limits: SandboxLimi
 
 
 def failure_text(words: str, what: str, too_large: str) -> str:
-    """Return the error message, ``what`` or ``too_large``, for a parser that printed ``words``.
+    """Return the error message ``what`` or ``too_large``, depending on the parser's ``words``.
 
     C++ libraries report insufficient memory only in words ("std::bad_alloc"). The words affect only
     this message; the breach stays "parser" or "crash".
@@ -280,7 +280,7 @@ def failure_text(words: str, what: str, too_large: str) -> str:
 
 
 def memory_text(memory: int) -> str:
-    """Return the message that an input needs more than ``memory`` bytes or an inherited limit."""
+    """Return the message that an input exceeds ``memory`` bytes or an inherited memory limit."""
     import resource
 
     return _excess(
@@ -315,7 +315,7 @@ def _name_of(code: int) -> str:
 
 @dataclass
 class CpuBudget:
-    """Budget of CPU time in seconds for all calls for one input, such as all files of a folder.
+    """CPU time in seconds left for all calls that process one input, such as a folder's files.
 
     A call that ends at a limit, or in a crash, is charged its whole limit. The budget decides
     whether another call is made, never what a call returns.

@@ -1,4 +1,4 @@
-"""The core data types of the pipeline, all frozen, from a text or an image to a scene.
+"""The immutable data types of the pipeline, from a prompt or an image to a scene.
 
 Frames and units of the whole project
 -------------------------------------

@@ -30,13 +30,13 @@ def scene_name(prompt: str | None) -> str:
 
 
 def versions(packages: Iterable[str] = _DECISIVE) -> dict[str, str]:
-    """Return package versions; by default, of all packages that affect a scene's bytes."""
+    """Return the versions of packages; by default, those that affect a scene's bytes."""
     return {package: _version(package) for package in packages}
 
 
 @lru_cache(maxsize=64)
 def _version(package: str) -> str:
-    """Return the installed version; it is cached, since the lookup takes a millisecond."""
+    """Return the installed version of a package, cached because a lookup takes a millisecond."""
     return metadata.version(package)
 
 

@@ -1,4 +1,4 @@
-"""Exact quarter turns of models about the axes."""
+"""Exact rotations of models about the axes by multiples of 90 degrees."""
 
 from __future__ import annotations
 

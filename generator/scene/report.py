@@ -138,7 +138,7 @@ class Report:
 
     @property
     def failure_text(self) -> str:
-        """The failures as joined sentences, or an empty string if there are none."""
+        """The failures as sentences joined by semicolons, or an empty string if there are none."""
         return "; ".join(map(str, self.failures))
 
     def as_json(self) -> dict[str, Any]:

@@ -63,7 +63,7 @@ class Rotation:
 
 @dataclass(frozen=True)
 class Stacking:
-    """An instance's support ``on`` (Fig. 25), a name or "table"; ``inside`` means within it.
+    """Support of an instance (Fig. 25): ``on`` names it or is "table"; ``inside`` means within it.
 
     An ``order`` of 1 means on the table; a supported object has a higher order than its support.
     """

@@ -39,7 +39,7 @@ FOODS: Mapping[str, RGB] = MappingProxyType(
 
 
 def drink_color(look: Look) -> RGB | None:
-    """Return the colour of the drink in a vessel, or None if the state names no drink."""
+    """Return the colour of the drink in a vessel, or None if its state does not name a drink."""
     state = look.attributes.get("state", "")
     words = state.split()[1:] if state.startswith("with ") else []
     found = next((DRINKS[word] for word in words if word in DRINKS), None)

@@ -53,7 +53,7 @@ def hull_of(*solids: Solid) -> ConvexPart:
 
 
 def flat_foot(points: Any, share: float = 0.12) -> ConvexPart:
-    """Return the hull of ``points`` with the lowest fraction ``share`` flattened onto z = 0.
+    """Return the hull of ``points``, flattened to z = 0 in the lowest ``share`` of its height.
 
     An object that is drawn with a flat spot gets a matching flat collision shape and does not
     roll. If its flat spot were larger than the drawn one, a gap would be visible when the object

@@ -19,7 +19,7 @@ from .surfaces import RGB, Look
 
 
 def side_view(outline: Any, width: float, bevel: float = 0.0) -> Solid:
-    """Return a side view (x, z; counter-clockwise) extruded to ``width`` along y."""
+    """Return the counter-clockwise outline (x, z) of a side view, extruded to ``width`` along y."""
     return prism(outline, -width / 2, width / 2, bevel).turn(0, np.pi / 2)
 
 
@@ -102,7 +102,7 @@ def ball(x: float, y: float, z: float, at: Point = (0, 0, 0), fine: int = 16) ->
 
 
 def rod(points: Any, radius: Any, sides: int = 8, steps: int = 4) -> Solid:
-    """Return a round rod along a smooth curve; ``radius`` is constant, or a sequence along it."""
+    """Return a round rod along a smooth curve, with one radius or a sequence of radii."""
     path = smooth(points, steps)
     if np.ndim(radius):
         radius = np.interp(
@@ -117,7 +117,7 @@ def straight(a: Point, b: Point, radius: Any, sides: int = 8) -> Solid:
 
 
 def standing_plate(outline: Any, thick: float, y: float = 0.0, bevel: float = 0.0) -> Solid:
-    """Return an upright plate of an outline (x, z; counter-clockwise) that faces the front."""
+    """Return an upright plate that faces the front, with a counter-clockwise outline (x, z)."""
     return facing(prism(outline, -thick / 2, thick / 2, bevel)).move(y=y)
 
 
@@ -285,7 +285,7 @@ def on_a_face(solid: Solid) -> Solid:
 def plate(
     outline: Any, h: float, z: float = 0.0, *, at: Point = (0, 0, 0), bevel: float = 0.0
 ) -> Solid:
-    """Return a plate from an outline (x, y; either orientation); ``at`` is on its underside."""
+    """Return a plate with an outline (x, y) of either orientation; ``at`` is on its underside."""
     points = np.asarray(outline, float)
     x, y = points.T
     area = float(np.sum(x * np.roll(y, -1) - np.roll(x, -1) * y))

@@ -158,7 +158,7 @@ Pieces = list[tuple[Solid, Tile]]
 def put_down(
     pieces: Pieces, *bodies: Solid, factor: float = 1.0, opacity: float = 1.0, foot: float = 0.0
 ) -> Shape:
-    """Return a shape of pieces, with the hulls of ``bodies`` (by default, all pieces) as parts.
+    """Return a shape made of pieces, with the hulls of ``bodies`` (by default, all) as parts.
 
     Points below z = 0 are flattened onto it, which gives round objects a flat base. ``foot`` is
     the lowest fraction of each part that is also flattened, so that round objects do not roll.
@@ -221,7 +221,7 @@ def vessel_shape(
     opacity: float = 1.0,
     fine: int = 28,
 ) -> Shape:
-    """Return an open vessel with extra pieces and one more collision part for each body."""
+    """Return an open vessel with extra pieces and a collision part for each of ``bodies``."""
     made, parts = open_vessel(profile, wall, bottom, fine)
     more: tuple[ConvexPart, ...] = tuple(hull_part(above(b.vertices)) for b in bodies)
     return shape([(made, tile), *extra], (*parts, *more), opacity).scale(factor)
@@ -284,7 +284,7 @@ def _turn_down(normal: np.ndarray) -> np.ndarray:
 
 
 def _margin(ground: np.ndarray, center: np.ndarray) -> float:
-    """Return the distance by which a point is inside the hull of ``ground``, negative outside."""
+    """Return the signed distance from a point to the hull of ``ground``, positive inside it."""
     from scipy.spatial import ConvexHull, QhullError
 
     try:
@@ -428,7 +428,7 @@ class Category:
 
     @property
     def growth(self) -> float:
-        """The exponent of the bounding box's volume to which a variant's mass is proportional."""
+        """The power of the bounding box's volume to which a variant's mass is proportional."""
         if self.assembled or self.material == "device":
             return 0.0
         return 2 / 3 if self.hollow else 1.0
@@ -446,7 +446,7 @@ class Category:
 
     @property
     def density(self) -> float:
-        """The density, in kg/m^3, of a generated mesh that fills two fifths of its bounding box."""
+        """The density, in kg/m^3, for generated meshes, assuming that they fill 2/5 of the box."""
         return float(np.clip(self.mass / (0.4 * np.prod(self.size)), 20.0, 8000.0))
 
 

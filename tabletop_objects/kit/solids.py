@@ -106,7 +106,7 @@ def join(solids: Sequence[Solid]) -> Solid:
 
 
 def refine(solid: Solid) -> Solid:
-    """Return the solid with every triangle split into four, so that it bends smoothly."""
+    """Return the solid with every triangle split into four, so that it can be bent smoothly."""
     v, f, uv = solid.vertices, solid.faces, solid.uv
     pairs = np.concatenate([f[:, [0, 1]], f[:, [1, 2]], f[:, [2, 0]]])
     ends = np.sort(pairs, axis=1)
@@ -122,7 +122,7 @@ def refine(solid: Solid) -> Solid:
 
 
 def _lanes(points: Float[np.ndarray, "k d"], closed: bool) -> tuple[np.ndarray, np.ndarray]:
-    """Return point indices with sharp corners repeated, and whether adjacent pairs are joined."""
+    """Return the indices of points, repeated at sharp corners, and which neighbours are joined."""
     ring = np.concatenate([points, points[:1]]) if closed else points
     steps = np.diff(ring, axis=0)
     lengths = np.linalg.norm(steps, axis=1, keepdims=True)
@@ -356,7 +356,7 @@ def tube(
 def sweep(
     path: Any, section: Float[np.ndarray, "m 2"], scale: Any = 1.0, *, loop: bool = False
 ) -> Solid:
-    """Return ``section`` (width, height; counter-clockwise) swept and scaled along ``path``."""
+    """Return the counter-clockwise ``section`` (width, height), swept and scaled along ``path``."""
     path = np.asarray(path, float)
     ways = np.roll(path, -1, 0) - np.roll(path, 1, 0) if loop else np.gradient(path, axis=0)
     ways /= np.linalg.norm(ways, axis=1, keepdims=True)

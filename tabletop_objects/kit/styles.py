@@ -153,7 +153,7 @@ def _thicken(solid: Solid, thickness: float) -> Solid:
 
 
 def _press_flat(solid: Solid) -> Solid:
-    """Raise the points of a solid below z = 0 to that plane."""
+    """Raise the points of a solid that are below the plane z = 0 to that plane."""
     return solid.bend(lambda p: np.column_stack([p[:, :2], np.maximum(p[:, 2], 0)]))
 
 
@@ -176,7 +176,7 @@ def low_poly(made: Shape) -> Shape:
 
 
 def _facet(piece: Piece) -> Piece:
-    """Return a decimated piece with one colour per facet; simple pieces keep their solid."""
+    """Return a decimated piece with one colour per facet; simple pieces are not decimated."""
     solid = piece.solid
     tile = flatten(piece.tile, 3, 1.25, 1.04)
     span = np.sort(np.ptp(solid.vertices, axis=0))
@@ -201,7 +201,7 @@ def _facet(piece: Piece) -> Piece:
 
 
 def _decimate(solid: Solid) -> tuple[Solid, Int[np.ndarray, "m"]]:
-    """Return a coarser closed solid in the same box, and the nearest original face of each face."""
+    """Return a coarser closed solid in the same box, and each face's nearest original face."""
     import fast_simplification
     from scipy.spatial import KDTree
 

@@ -115,5 +115,5 @@ class ActionConfig:
         Servos(self.control_hz, self.gripper)
 
     def controller(self) -> Controller:
-        """Return a new controller of this mode."""
+        """Return a new controller for the configured action mode."""
         return ACTIONS[self.mode](Servos(self.control_hz, self.gripper))

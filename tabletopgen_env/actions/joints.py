@@ -17,7 +17,7 @@ JOINT_LEASH = 0.2
 
 
 class JointDelta:
-    """Action mode "joint_delta": joint increments."""
+    """Action mode "joint_delta": increments of the joint positions."""
 
     def __init__(self, servos: Servos) -> None:
         self.space = box(8)
@@ -39,7 +39,7 @@ class JointDelta:
 
 
 class JointTarget(JointDelta):
-    """Action mode "joint_target": target positions over the joint ranges."""
+    """Action mode "joint_target": target joint positions, scaled to the joint ranges."""
 
     def apply(self, world: World, action: Float[np.ndarray, "8"]) -> None:
         """Advance the commanded joint positions towards the target in ``action``."""

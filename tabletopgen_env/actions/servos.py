@@ -40,7 +40,7 @@ _NO_NUMBERS = "cmMSU"  # complex numbers, times, strings: NumPy would cast them 
 
 @dataclass(frozen=True)
 class Servos:
-    """The rate of the servo commands, and the interpretation of an action's gripper entry."""
+    """Settings of the servo commands: their rate, and the meaning of an action's gripper entry."""
 
     hz: int = CONTROL_HZ
     gripper: GripperMode = "continuous"
@@ -67,12 +67,12 @@ class Servos:
 
     @property
     def share(self) -> float:
-        """The duration of an action relative to that at ``CONTROL_HZ``."""
+        """The ratio of an action's duration to the duration at ``CONTROL_HZ``."""
         return CONTROL_HZ / self.hz
 
     @property
     def slack(self) -> float:
-        """The maximum lead relative to that at ``CONTROL_HZ``; it is larger for longer actions."""
+        """The maximum lead of a command over the robot, relative to the lead at ``CONTROL_HZ``."""
         return max(1.0, self.share)
 
     def command(
@@ -82,7 +82,7 @@ class Servos:
         joints: Float[np.ndarray, "7"],
         gripper: float,
     ) -> None:
-        """Write the servo commands for a reference that moves from ``before`` to ``joints``.
+        """Write the servo commands for joint positions that move from ``before`` to ``joints``.
 
         ``gripper`` is the last entry of the action.
         """

@@ -49,12 +49,12 @@ for _constant in (LOWEST_POINT, HIGHEST_POINT, JOINT_SPEED):
 def _clip(
     values: Float[np.ndarray, "n"], low: Float[np.ndarray, "n"], high: Float[np.ndarray, "n"]
 ) -> Float[np.ndarray, "n"]:
-    """Return ``np.clip(values, low, high)``, computed in half the time."""
+    """Compute ``np.clip(values, low, high)`` in half the time."""
     return np.minimum(np.maximum(values, low), high)
 
 
 class Arm:
-    """A commanded tool centre point, and the commanded joints that follow it.
+    """A commanded position of the tool centre point, and the joint positions that follow it.
 
     The joints follow by damped least squares (``robot.kinematics.ik_step``). The redundant degree
     of freedom is pulled towards home, and no joint exceeds its rated speed.

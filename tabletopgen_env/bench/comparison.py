@@ -1,4 +1,4 @@
-"""Comparison of the results on a suite with the first result, episode by episode."""
+"""Comparison of a suite's results with the first of them, episode by episode."""
 
 from __future__ import annotations
 
@@ -55,7 +55,7 @@ def difference(result: BenchResult, baseline: BenchResult) -> PairedDifference:
 
 
 def compare(results: Sequence[BenchResult]) -> list[tuple[str, ...]]:
-    """Return the rows of a comparison table, header first; the first result is the baseline.
+    """Return the rows of a comparison table, header included; the first result is the baseline.
 
     Raises:
         InputError: there are no results, or they belong to different suites.

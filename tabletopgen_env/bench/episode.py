@@ -1,4 +1,4 @@
-"""Episodes of a run, executed one by one in each process."""
+"""Execution of a run's episodes, one after another in each process."""
 
 from __future__ import annotations
 
@@ -132,7 +132,7 @@ def _look(env: TabletopEnv, frames: list[Any] | None) -> None:
 
 
 def _write(frames: list[Any], pictures: FailurePictures, stem: str) -> None:
-    """Write a film strip and a video.
+    """Write a film strip and a video of an episode, as far as they are requested.
 
     Raises:
         StorageError: a file cannot be written.
@@ -158,5 +158,5 @@ def _write(frames: list[Any], pictures: FailurePictures, stem: str) -> None:
 
 
 def stage_of(playing: Playing) -> Stage:
-    """Return the environment and the player, which are created once per process."""
+    """Create the environment and the player; this is done once per process."""
     return Stage(playing)

@@ -66,7 +66,7 @@ class SuiteTable:
 
 @dataclass(frozen=True)
 class SuiteEpisode:
-    """An episode of a suite: an instance on a table, and the seed of all its random draws."""
+    """An episode of a suite: a task instance on a table, and the seed of all random draws."""
 
     table: SuiteTable
     level: str
@@ -121,7 +121,7 @@ class TaskSuites:
         return SplitRule("train" if split == "train" else "held_out", share=self.share)
 
     def level(self, difficulty: float) -> str:
-        """Return the name of the range that contains a difficulty, or else of the last range."""
+        """Return the name of a difficulty's level, which is the last one if none contains it."""
         held = (level.name for level in self.levels if level.holds(difficulty))
         return next(held, self.levels[-1].name)
 
@@ -174,7 +174,7 @@ class Suite:
                     )
 
     def _seed(self, table: SuiteTable, instance: TaskInstance, number: int) -> int:
-        """Return the seed of an episode, independent of other tables and instances."""
+        """Return the seed of an episode, which does not depend on other tables or instances."""
         parts = (
             self.of.version, self.of.task, self.condition, table.digest, instance.target,
             instance.goal, number,

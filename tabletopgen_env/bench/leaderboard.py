@@ -1,4 +1,4 @@
-"""The leaderboard page of committed results; equal results give identical pages."""
+"""The leaderboard page, made from committed results; the same results give the same page."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ def read_results(folder: Path) -> list[BenchResult]:
 
 
 def _read_with_mark(path: Path) -> BenchResult:
-    """Return a result with the number of its replayed episodes."""
+    """Read a result, and the number of its replayed episodes from its replay mark."""
     result = read_result(path)
     mark = read_mark(path, result.digest)
     return dataclasses.replace(result, replayed=len(mark.episodes) if mark else 0)
@@ -95,14 +95,14 @@ def _suite(result: BenchResult) -> Suite:
 
 
 def _order(entry: tuple[PlayerFacts, Mapping[str, BenchResult]]) -> tuple[float, float, str]:
-    """Return the key that sorts entries from best to worst."""
+    """Return the sort key of a leaderboard entry; entries are sorted from best to worst."""
     player, results = entry
     random, plain = (results[c].share if c in results else -1.0 for c in ("random", "plain"))
     return -random, -plain, player.name
 
 
 def _section(task: str, entries: Sequence[tuple[PlayerFacts, Mapping[str, BenchResult]]]) -> str:
-    """Return the section of a task."""
+    """Return the leaderboard's section for a task, as Markdown."""
     suites = shipped_suites(task)
     levels = [level.name for level in suites.levels]
     head = ["policy", "sees", "plain", "random", *levels, "steps", "replayed"]

@@ -70,7 +70,7 @@ class PlayerFacts:
 
     @property
     def title(self) -> str:
-        """The name, with the kind appended for a simple player that has a different name."""
+        """The name, followed by the kind in parentheses if a built-in player has been renamed."""
         renamed = self.kind in SIMPLE and self.name != self.kind
         return f"{self.name} ({self.kind})" if renamed else self.name
 
@@ -81,7 +81,7 @@ class PlayerFacts:
 
 
 def find_player(name: str, suite: Suite) -> tuple[PlayerFacts, Player]:
-    """Return the player with the given name, and its description.
+    """Return the description of the player with the given name, and the player itself.
 
     Args:
         name: "random", "zero", "expert", the name of a shipped policy, a policy file, a folder of a
@@ -237,7 +237,7 @@ def _load(name: str, suite: Suite) -> tuple[PlayerFacts, Player]:
 
 
 def _own_settings(given: Any, name: str, suite: Suite) -> dict[str, Any]:
-    """Return a policy's keyword arguments for the environment, validated."""
+    """Validate and return a policy's keyword arguments for the environment."""
     if not isinstance(given, Mapping):
         raise InputError(f"{name}: env must be a dict of environment settings, got {given!r:.80}.")
     rate = given.get("control_hz", suite.of.control_hz)
@@ -268,7 +268,7 @@ def _plain(key: str, value: Any) -> Any:
 
 
 def _inputs(space: Any) -> dict[str, tuple[int, ...]]:
-    """Return the shape of each part of an observation; the name "" denotes an undivided one."""
+    """Return the shapes of an observation's parts by name, with the name "" if it has no parts."""
     if isinstance(space, gym.spaces.Dict):
         return {name: tuple(part.shape or ()) for name, part in space.spaces.items()}
     return {"": tuple(space.shape)}

@@ -94,17 +94,17 @@ class BenchResult:
 
     @property
     def interval(self) -> tuple[float, float]:
-        """The 95 % Wilson interval of the fraction solved, treating episodes as independent."""
+        """The 95 % Wilson interval of the fraction solved, for episodes treated as independent."""
         return wilson(self.solved, len(self.episodes))
 
     def of_level(self, level: str) -> tuple[int, int]:
-        """Return the numbers of solved episodes and of all episodes on tables of a level."""
+        """Return how many episodes on tables of a level were solved, and how many there are."""
         own = [row.solved for row in self.episodes if row.level == level]
         return sum(own), len(own)
 
 
 def row_of(episode: SuiteEpisode, outcome: SuiteOutcome) -> EpisodeRow:
-    """Return the row of a completed episode."""
+    """Return the row of a result file that describes a completed episode."""
     return EpisodeRow(
         episode.table.digest, episode.level, episode.instance.target, episode.instance.goal,
         episode.number, episode.seed, outcome.solved, outcome.steps, outcome.reward,
@@ -112,7 +112,7 @@ def row_of(episode: SuiteEpisode, outcome: SuiteOutcome) -> EpisodeRow:
 
 
 def head_of(suite: Suite, player: PlayerFacts, versions: Mapping[str, str]) -> dict[str, Any]:
-    """Return the entries of a result that precede its episodes, as JSON values."""
+    """Return the header of a result file: all entries before its episodes, as JSON values."""
     head = {
         "schema": SCHEMA,
         "suite": suite.name,
@@ -126,7 +126,7 @@ def head_of(suite: Suite, player: PlayerFacts, versions: Mapping[str, str]) -> d
 
 
 def text_of(head: Mapping[str, Any], rows: Iterable[EpisodeRow]) -> str:
-    """Return the file content of a result."""
+    """Return the content of a result file with the given header and episode rows."""
     listed = [dataclasses.asdict(row) for row in rows]
     solved, played = sum(row["solved"] for row in listed), len(listed)
     low, high = wilson(solved, played)
@@ -191,7 +191,7 @@ def read_row(entry: dict[str, Any]) -> EpisodeRow:
 
 
 def _result(payload: dict[str, Any]) -> BenchResult:
-    """Parse a file's result; raise ValueError, TypeError or KeyError if it is invalid."""
+    """Parse the result in a JSON object; raise ValueError, TypeError or KeyError if invalid."""
     if check_type(payload["schema"], int) != SCHEMA:
         raise ValueError(f"its schema is {payload['schema']!r}, not {SCHEMA}")
     listed = check_type(payload["episodes"], list)

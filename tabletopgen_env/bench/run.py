@@ -159,7 +159,7 @@ def _play_one(packed: bytes, episode: SuiteEpisode) -> SuiteOutcome:
 
 @contextmanager
 def _writing(path: Path) -> Iterator[Path]:
-    """Yield the path of a result's journal, locked for this process."""
+    """Yield the path of a result's journal while holding a lock on the result."""
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
     except OSError as error:
@@ -183,7 +183,7 @@ def _writing(path: Path) -> Iterator[Path]:
 def _resume(
     journal: Path, head: dict[str, Any], episodes: tuple[SuiteEpisode, ...]
 ) -> list[EpisodeRow]:
-    """Return the episodes of a journal and truncate it after them; create it if it is missing.
+    """Return the complete episodes of a journal and cut off the rest; create a missing journal.
 
     Raises:
         InputError: the journal belongs to another run, or is damaged.

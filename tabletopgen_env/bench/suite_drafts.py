@@ -57,7 +57,7 @@ class Quota:
 def draft(
     suites: TaskSuites, folder: Path, quota: Quota, workers: int = 1, say: Say = print
 ) -> TaskSuites:
-    """Draw the tables of suites; ``suites.tables`` is ignored.
+    """Return the suites with newly drawn tables in place of ``suites.tables``.
 
     For each level, the test tables come first, then the validation tables.
 
@@ -114,7 +114,7 @@ class _Drawn:
                 yield seed
 
     def rate(self, seed: int) -> tuple[int, float | None]:
-        """Return a table's seed, and its difficulty or None if the table cannot be generated."""
+        """Return the seed and the difficulty of a table; the latter is None if generation fails."""
         try:
             return seed, difficulty(load(self.bundle(seed)))
         except SceneError:
@@ -127,7 +127,7 @@ class _Drawn:
         return there[0] if there else save(self.suites.recipe(seed).make(), place)
 
     def certify(self, seed: int) -> SuiteTable | None:
-        """Certify a table with the expert; return it, or None on failure."""
+        """Certify a table with the expert; return the table, or None if certification fails."""
         terms: Terms = self.suites.terms
         try:
             bundle = self.bundle(seed)
@@ -155,7 +155,7 @@ def _choose(
     waiting: list[tuple[int, float]],
     rated: Iterator[tuple[int, float | None]],
 ) -> Sequence[tuple[int, float]]:
-    """Take the first tables of each incomplete level; the other tables stay in the queue."""
+    """Return the next tables of each incomplete level; the other tables stay in ``waiting``."""
     left = Counter(missing)
     chosen: list[tuple[int, float]] = []
 
@@ -180,7 +180,7 @@ def _choose(
 def _assign(
     suites: TaskSuites, quota: Quota, taken: Mapping[int, SuiteTable]
 ) -> Iterator[SuiteTable]:
-    """Yield the tables by split, level and seed, with the first of each level as test tables."""
+    """Yield the tables with their splits; the first tables of each level are test tables."""
     splits: tuple[Split, ...] = ("validation", "test")
     for split in splits:
         for level in suites.levels:

@@ -53,7 +53,7 @@ def tasks() -> tuple[str, ...]:
 
 
 def path_of(task: str) -> Path:
-    """Return the path of the package's suites for a task."""
+    """Return the path of the file with the shipped suites for a task."""
     return PLACE / VERSION / f"{task.lower()}.json"
 
 
@@ -154,7 +154,7 @@ def canonical_digest(facts: Mapping[str, Any]) -> str:
 
 
 def _part(text: str) -> tuple[str, bool]:
-    """Return the split that a suite name's suffix refers to, and whether it is randomised."""
+    """Return the split named by the suffix of a suite name, and whether the suite is randomised."""
     return text.removesuffix(RANDOM), text.endswith(RANDOM)
 
 
@@ -168,7 +168,7 @@ def _table_facts(table: SuiteTable) -> dict[str, Any]:
 
 
 def _suites(payload: dict[str, Any]) -> TaskSuites:
-    """Parse a file's suites; raise ValueError, TypeError or KeyError if they are invalid."""
+    """Parse the suites in a JSON object; raise ValueError, TypeError or KeyError if invalid."""
     _check_keys(payload, _KEYS, "it")
     if check_type(payload["schema"], int) != SCHEMA:
         raise ValueError(f"its schema is {payload['schema']!r}, not {SCHEMA}")

@@ -101,7 +101,7 @@ def _make(suites: TaskSuites, place: Path, table: SuiteTable) -> Path:
 
 
 def _compose(suites: TaskSuites, table: SuiteTable) -> Scene:
-    """Compose a table's scene, with the kernels used for the suite if this processor's differ."""
+    """Compose a table's scene; if its digest is wrong, retry with the suite's BLAS kernels."""
     recipe, name = suites.recipe(table.seed), name_of(suites, table)
     scene = recipe.make().replace(name=name)
     if (found := digest(scene)) == table.digest:
@@ -117,7 +117,7 @@ def _compose(suites: TaskSuites, table: SuiteTable) -> Scene:
 
 
 def _difference(suites: TaskSuites) -> str:
-    """Return the probable reason why a table differs."""
+    """Describe the probable reason why a table is generated differently on this machine."""
     here = versions(suites.versions)
     other = [f"{k} {v}, here {here[k]}" for k, v in suites.versions.items() if here[k] != v]
     if not other:

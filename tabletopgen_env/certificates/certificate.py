@@ -68,13 +68,13 @@ class TaskInstance:
 
     @property
     def certified(self) -> bool:
-        """Whether there were at least ``STARTS`` episodes and the expert solved all."""
+        """Whether there were at least ``STARTS`` episodes and the expert solved all of them."""
         return self.successes == self.episodes >= STARTS
 
 
 @dataclass(frozen=True)
 class Terms:
-    """The conditions of a certificate; equal terms give equal certificates for a scene.
+    """The settings of a certification; equal settings give equal certificates for the same scene.
 
     Args:
         tasks: names of tasks, stored in the order of ``NAMES``; Sequence includes its presets.
@@ -127,7 +127,7 @@ class Certificate:
 
 
 def read_certificate(path: str | Path) -> Certificate | None:
-    """Return a bundle's validated certificate, or None if it has none or one with an older schema.
+    """Return a bundle's validated certificate, or None if it is missing or has an older schema.
 
     Raises:
         BundleError: it is damaged, too large, of an unknown schema, or belongs to another scene.

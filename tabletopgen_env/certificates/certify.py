@@ -103,7 +103,7 @@ def certify_all(
 
 
 def _write(path: Path, terms: Terms, listed: Sequence[_Listed]) -> Certificate | TabletopError:
-    """Write the results of a bundle's jobs as its certificate; return that or the error."""
+    """Write a bundle's certificate from the results of its jobs; return it, or the error."""
     instances: list[TaskInstance] = []
     for found in listed:
         if isinstance(found, TabletopError):
@@ -131,7 +131,7 @@ _Listed = tuple[TaskInstance, ...] | TabletopError
 
 
 def _in_turn(jobs: Sequence[_Job], workers: int, ray: str | None) -> Iterator[_Listed]:
-    """Yield the result of each job, in order."""
+    """Run the jobs, in separate processes if requested, and yield their results in order."""
     if len(jobs) < 2 or (workers == 1 and ray is None):
         yield from map(_play, jobs)
         return
@@ -172,7 +172,7 @@ def find_instances(world: World, task: Task, seed: int, maximum: int) -> tuple[T
 
 
 def instance_of(task: Task, episode: Episode) -> TaskInstance:
-    """Return the task instance of an episode, for a task of this package."""
+    """Return the task instance of an episode; ``task`` must be a task of this package."""
     assert task.listed_as is not None
     name, preset = task.listed_as
     first = episode.goals[0]
@@ -193,7 +193,7 @@ def instance_of(task: Task, episode: Episode) -> TaskInstance:
 
 
 def _play(job: _Job) -> _Listed:
-    """Return the result of ``_instances``, or the bundle's error."""
+    """Return the result of ``_instances`` for a job, or the error that occurred."""
     try:
         return _instances(*job)
     except TabletopError as error:
@@ -223,7 +223,7 @@ def _instances(folder: Path, task: str, terms: Terms) -> tuple[TaskInstance, ...
 def played_again(
     folder: Path, instances: Sequence[TaskInstance], episodes: int, seed: int
 ) -> Iterator[TaskInstance]:
-    """Yield a bundle's instances with the expert's results on ``episodes`` new episodes.
+    """Yield each instance of a bundle with the expert's results on ``episodes`` new episodes.
 
     All episodes start from perturbed states and are played despite failures. ``seed`` draws them;
     use a different seed from the certificate's to get other initial states.
@@ -242,7 +242,7 @@ def played_again(
 def _try(
     starts: Iterable[TabletopEnv], instance: TaskInstance, rng: np.random.Generator
 ) -> TaskInstance:
-    """Play an instance once from each of ``starts`` until the expert fails."""
+    """Play an instance once in each environment of ``starts`` until the expert fails."""
     solved = played = 0
     for env in starts:
         played += 1

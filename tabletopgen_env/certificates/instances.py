@@ -1,4 +1,4 @@
-"""Sampling of an episode's instance, preferably a certified one."""
+"""Sampling of an episode's task instance, preferably a certified one."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ def sample_episode(
     options: Mapping[str, Any],
     certified: bool,
 ) -> tuple[Episode, bool]:
-    """Draw an episode; return it and whether its instance is certified.
+    """Draw an episode; return it and whether its task instance is certified.
 
     If ``certified`` is true and ``options`` contains neither a target nor a goal, one of the
     certified instances of the bundle is drawn uniformly. A bundle without a certificate, or with
@@ -72,7 +72,7 @@ def certificate_of(world: World) -> Certificate | None:
 
 
 def _nothing_certified(world: World, name: TaskName, listed: int, episodes: int) -> SceneError:
-    """Return the error for a scene that has valid tasks, none of which the expert solves."""
+    """Return the error for a scene that has valid tasks, none of which is certified."""
     asked = name.task + (f" with the preset {name.preset!r}" if name.preset else "")
     if not listed:
         why = f"its certificate has no instance of {asked}"

@@ -28,7 +28,7 @@ FigureKind = Literal["played after a failure", "given up early", "too many"]
 
 @dataclass(frozen=True)
 class CertificateDoubt:
-    """Impossible results of an instance; ``limit`` is the number of episodes in the terms."""
+    """An impossible result of an instance; ``limit`` is the maximum number of episodes."""
 
     kind: FigureKind
     instance: TaskInstance
@@ -76,7 +76,7 @@ class StartReplay:
 
 
 def check_certificate(path: Path, count: int, seed: int) -> tuple[int, Sequence[object]]:
-    """Check a bundle's certificate; return the number of replayed episodes, and the problems.
+    """Check a bundle's certificate; return the number of replayed episodes and the problems found.
 
     Episodes listed as solved must be solved again. A listed failure that is solved now is accepted,
     since the certificate then claims too little. Impossible figures are reported without a replay.
@@ -101,14 +101,14 @@ def check_certificate(path: Path, count: int, seed: int) -> tuple[int, Sequence[
 
 
 def doubts(certificate: Certificate) -> tuple[CertificateDoubt, ...]:
-    """Return the results that no certification can produce; see ``certify``."""
+    """Return the results in a certificate that ``certify`` cannot produce."""
     limit = certificate.terms.episodes
     found = (_doubt(seen, limit) for seen in certificate.instances)
     return tuple(doubt for doubt in found if doubt is not None)
 
 
 def replay(path: Path, certificate: Certificate, count: int, seed: int) -> Iterator[StartReplay]:
-    """Replay episodes of a bundle's certificate, drawn with a seed, and yield each replay."""
+    """Replay ``count`` randomly drawn episodes of a bundle's certificate, and yield each replay."""
     listed = certificate.instances
     episodes = [(k, number) for k, seen in enumerate(listed) for number in range(seen.episodes)]
     drawn = np.random.default_rng(seed).choice(

@@ -43,14 +43,14 @@ _RESTORE = (
 
 @dataclass(frozen=True, eq=False)
 class GraspDetector:
-    """A detector of grasps in depth images of an object; for ``weights``, see ``rate``."""
+    """A detector of grasps in height maps of an object; ``weights`` are described in ``rate``."""
 
     weights: Mapping[str, Float32[np.ndarray, "..."]]
 
     def __call__(
         self, world: World, target: str, failed: tuple[Grasp, ...] = ()
     ) -> GraspPlan | None:
-        """Return the best-rated grasp of an object within the arm's current reach, or None.
+        """Return the best-rated grasp of an object in the arm's reach, or None if there is none.
 
         Grasps in ``failed`` rank last, as in ``choose``.
         """
@@ -75,7 +75,7 @@ class GraspDetector:
 
 
 def _peaks(rated: Rated) -> list[tuple[int, int, int]]:
-    """Return the rotation and cell indices of the local maxima of the rating, best first."""
+    """Return the (rotation, row, column) indices of the rating's local maxima, best first."""
     from scipy.ndimage import maximum_filter
 
     around = maximum_filter(rated.best, (1, 3, 3), mode="nearest")

@@ -25,7 +25,7 @@ class GraspNetwork(nn.Module):
         self.layers = nn.ModuleList(nn.Conv2d(*layer) for layer in LAYERS)
 
     def forward(self, seen: Float[Tensor, "b t 3 n n"]) -> Rated:
-        """Return the ratings of a batch of objects, each viewed at all rotations."""
+        """Return the grasp ratings for a batch of objects, each given as rotated views."""
         values = seen.flatten(0, 1)
         for number, layer in enumerate(self.layers):
             values = layer(values if number == 0 else values.relu())
@@ -38,7 +38,7 @@ class GraspNetwork(nn.Module):
 
 
 class GraspBatch(NamedTuple):
-    """A batch of network inputs, with the targets at p = TURNS * PLACES**2 places.
+    """A training batch: network inputs, with targets at p = TURNS * PLACES**2 places.
 
     ``share`` is the target probability that a place has the best grasp, ``possible`` tells whether
     it has any grasp, and ``grasp`` is its best one: along, across, height, width and room (metres).
@@ -51,7 +51,7 @@ class GraspBatch(NamedTuple):
 
 
 def loss_of(rated: Rated, batch: GraspBatch) -> Float[Tensor, ""]:
-    """Return the loss of ratings against the targets of a batch."""
+    """Return the loss of predicted ratings with respect to a batch's targets."""
     best, possible, *grasp = (part.flatten(1) for part in rated)
     share = -(batch.share * functional.log_softmax(best, 1)).sum(1).mean()
     there = functional.binary_cross_entropy_with_logits(possible, batch.possible)

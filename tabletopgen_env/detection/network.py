@@ -36,7 +36,7 @@ MIDDLES.setflags(write=False)
 
 
 class Layer(NamedTuple):
-    """A convolution: input and output channels, kernel size, stride, padding and dilation."""
+    """The parameters of a convolution: its channels, kernel size, stride, padding and dilation."""
 
     inputs: int
     outputs: int
@@ -65,7 +65,7 @@ DEEPEST = 2.0  # depths below the object's top are clipped to this, in units of 
 
 
 class Rated(NamedTuple):
-    """Logits and grasps for each rotation and position, in metres in the hand's frame.
+    """Predictions for each rotation and position of the hand: two logits, and a grasp in metres.
 
     ``best`` is higher for better grasps, and ``possible`` is positive where a grasp is likely.
     ``along`` and ``across`` are the offsets of the midpoint between the fingers from the object's
@@ -93,7 +93,7 @@ def rate_output(out: Any, middles: Any) -> Rated:
 def turn_views(
     heights: UInt8[np.ndarray, "2 64 64"], facing: float
 ) -> Float32[np.ndarray, "t 3 48 48"]:
-    """Return the network input: height maps at each rotation, starting at ``facing`` (radians).
+    """Return the network input: the height maps at each rotation, starting at ``facing`` (radians).
 
     Channels: the height of the object, the height of everything else, and the object's depth below
     its top.
@@ -112,7 +112,7 @@ def turn_views(
 def _between(
     maps: Float[np.ndarray, "m a b"], i: Float[np.ndarray, "*n"], j: Float[np.ndarray, "*n"]
 ) -> Float[np.ndarray, "m *n"]:
-    """Return the values of ``maps`` at fractional cells, by bilinear interpolation."""
+    """Return the values of ``maps`` at fractional cell indices, by bilinear interpolation."""
     low_i, low_j = i.astype(int), j.astype(int)
     di, dj = i - low_i, j - low_j
     upper = maps[:, low_i, low_j] * (1 - dj) + maps[:, low_i, low_j + 1] * dj
@@ -123,7 +123,7 @@ def _between(
 def rate(
     weights: Mapping[str, Float32[np.ndarray, "..."]], seen: Float32[np.ndarray, "t 3 48 48"]
 ) -> Rated:
-    """Return the ratings of an object from its rotated views ``seen``, made by ``turn_views``.
+    """Return the grasp ratings for an object's rotated views ``seen``; see ``turn_views``.
 
     ``weights`` has the entries ``"0.weight"`` (out, in, side, side), ``"0.bias"`` and so on, per
     layer.
@@ -142,7 +142,7 @@ def _convolve(
     weight: Float32[np.ndarray, "o c s s"],
     bias: Float32[np.ndarray, "o"],
 ) -> Float32[np.ndarray, "t i j o"]:
-    """Convolve row by row, in products small enough to keep BLAS single-threaded."""
+    """Apply a convolution layer by matrix products small enough to keep BLAS single-threaded."""
     edge, gap, step = layer.padding, layer.dilation, layer.stride
     padded = np.pad(values, ((0, 0), (edge, edge), (edge, edge), (0, 0)))
     count = (padded.shape[1] - gap * (layer.side - 1) - 1) // step + 1

@@ -59,7 +59,7 @@ ROLL_RANGE = float(UPPER[6]) - 0.1
 
 
 def stretch(world: World, points: Iterable[Float[np.ndarray, "3"]], yaw: float) -> float | None:
-    """Return the largest joint motion from home to any of ``points``, or None if out of reach.
+    """Return the largest joint motion from home to ``points``, or None if one is out of reach.
 
     Points are positions of the tool centre point, world frame; ``yaw`` is the hand's, base frame,
     radians.
@@ -78,7 +78,10 @@ def stretch(world: World, points: Iterable[Float[np.ndarray, "3"]], yaw: float) 
 
 
 def easiest(world: World, points: tuple[Float[np.ndarray, "3"], ...], angle: float) -> float | None:
-    """Return the better of two opposite yaws for reaching all points, or None if neither can."""
+    """Return ``angle`` or its opposite, whichever yaw reaches all points with less joint motion.
+
+    The result is None if neither yaw reaches all points.
+    """
     yaws = (wrap(angle), wrap(angle + np.pi))
     found = [(far, yaw) for yaw in yaws if (far := stretch(world, points, yaw)) is not None]
     return min(found)[1] if found else None
@@ -120,7 +123,7 @@ def elbow_swing(world: World) -> float:
 
 
 def is_wound(world: World) -> bool:
-    """Return whether the elbow has swung until the first joint is at its limit."""
+    """Return whether the elbow has swung so far that the first joint is at its limit."""
     first = float(world.data.qpos[world.arm_qpos[0]])
     room = min(first - float(LOWEST[0]), float(HIGHEST[0]) - first)
     return room < _AT_LIMIT and elbow_swing(world) > _SWUNG
@@ -141,7 +144,7 @@ def _roll(world: World) -> float:
 def around(
     world: World, start: Float[np.ndarray, "3"], end: Float[np.ndarray, "3"]
 ) -> Float[np.ndarray, "2"]:
-    """Return the next point (x, y, world) on the way from ``start`` to ``end`` around the base."""
+    """Return the next waypoint (x, y, world) from ``start`` to ``end`` around the robot's base."""
     a, b = (world.to_base(point)[:2] for point in (start, end))
     way = b - a
     along = float(np.clip(-(a @ way) / max(float(way @ way), 1e-9), 0.0, 1.0))
@@ -158,7 +161,7 @@ def around(
 def wrist_is_free(
     world: World, others: HeightMap, points: Float[np.ndarray, "k 2"], tip: float
 ) -> bool:
-    """Return whether the wrist is free at all ``points``, with the fingertips at height ``tip``."""
+    """Return whether the wrist clears ``others`` at all ``points``, with fingertips at ``tip``."""
     return bool(wrists_are_free(world, others, points, np.full(len(points), tip)).all())
 
 
@@ -168,9 +171,10 @@ def wrists_are_free(
     points: Float[np.ndarray, "k 2"],
     tips: Float[np.ndarray, "k"],
 ) -> Bool[np.ndarray, "k"]:
-    """Return for each tool position whether the wrist, above the hand towards the base, is free.
+    """Return for each tool position whether the wrist clears all obstacles.
 
-    ``points`` (world) are the tools' positions, ``tips`` the heights of the fingertips.
+    The wrist is above the hand, towards the base. ``points`` (world) are the tools' positions,
+    ``tips`` the heights of the fingertips.
     """
     back = world.base_position[:2] - points
     back /= np.maximum(np.linalg.norm(back, axis=1, keepdims=True), 1e-9)
@@ -183,7 +187,7 @@ def wrists_are_free(
 def knuckle_is_free(
     world: World, others: HeightMap, point: Float[np.ndarray, "2"], tip: float, yaw: float
 ) -> bool:
-    """Return whether the part of the last link that protrudes beside the hand is free.
+    """Return whether the part of the last link that protrudes beside the hand clears all obstacles.
 
     Arguments are as for `wrist_is_free`; ``yaw`` is the hand's, in the base frame, radians.
     """

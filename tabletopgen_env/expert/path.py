@@ -1,4 +1,4 @@
-"""The height for moving the tool above all objects on the table."""
+"""The height at which the tool passes above all objects on its path."""
 
 from __future__ import annotations
 

@@ -150,7 +150,7 @@ class Picker(Expert):
         return self._come_down(self._hover())
 
     def _hover(self) -> float:
-        """Return the height that the hand has to keep above the grasp until it is aligned."""
+        """Return the height above the grasp that the hand keeps until aligned with the grasp."""
         grasp = self._plan.grasp
         spare = (grasp.opening - grasp.width) / 2
         fine = float(np.clip(spare - 0.002, *_FINE))
@@ -292,14 +292,14 @@ class Picker(Expert):
         return False
 
     def _retry(self, failed: bool = True) -> Float[np.ndarray, "5"]:
-        """Plan again, marking the grasp as failed if ``failed``; open the hand in this step."""
+        """Plan a new grasp and open the hand; if ``failed``, the old grasp counts as failed."""
         if self._goal.released and met(self._env.world, self._goal):  # a policy controls the hand
             return self._enter("retreat")
         self._begin(failed)
         return self._act(np.zeros(3), 0.0, 2 * franka.FINGER_STROKE)
 
     def _plan_drop(self, drop: Drop | None = None) -> None:
-        """Set the release pose to ``drop`` or, by default, to the best one for the hand's pose."""
+        """Set the release path to ``drop`` or, by default, to the best one for the hand's pose."""
         opening = let_go_at(self._plan.grasp)
         self._drop = drop or Drop(self._env.world, self._goal, self._yaw, opening)
         self._narrow, self._left, self._still = 1.0, np.inf, 0
@@ -327,7 +327,7 @@ class Picker(Expert):
         return (self._tool - self._object) @ self._env.world.rotation(self._target)
 
     def _stalls(self, over: Float[np.ndarray, "3"]) -> bool:
-        """Return whether the hand has stopped nearing the release place on its way to ``over``."""
+        """Return whether the hand, on its way to ``over``, no longer nears the release position."""
         left = float(np.linalg.norm((self._drop.tool - self._tool)[:2]))
         if left < self._left - _ON:
             self._left, self._still = left, 0

@@ -1,4 +1,4 @@
-"""The interface of an environment that the experts need."""
+"""The interface that the experts require of an environment."""
 
 from __future__ import annotations
 

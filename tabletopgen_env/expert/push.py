@@ -1,4 +1,4 @@
-"""Pushing along the table: moving behind the object, down, and forward in a straight stroke.
+"""Pushing along the table: moving behind the object, descending, and moving straight forward.
 
 =========  =====================================================================================
 approach   rise above obstacles, move behind the object, turn the hand as planned
@@ -173,7 +173,7 @@ class Pusher(Expert):
     # ---------------------------------------------------------------------------------- planning
 
     def _begin(self) -> Float[np.ndarray, "5"]:
-        """Choose the next stroke, to the spot or else beside it, with ever smaller clearance."""
+        """Plan the next stroke to the spot or near it, with less clearance if necessary."""
         world, name, spot = self._env.world, self._goal.target, self._goal.spot[:2]
         spots = (spot, *(spot + _ASIDES))
         aims: list[tuple[Float[np.ndarray, "2"], Care]] = [(spot, "free")]
@@ -192,7 +192,7 @@ class Pusher(Expert):
         return self._enter("stuck")
 
     def _bar(self) -> Float[np.ndarray, "5"]:
-        """Give up this stroke, since an obstacle is where the hand has to be."""
+        """Abandon this stroke because an obstacle blocks the hand, and choose another."""
         self._barred.add(self._choice)
         return self._begin()
 

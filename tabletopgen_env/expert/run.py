@@ -53,7 +53,7 @@ class TaskExpert(Expert):
 
 
 def specialist(env: Any, goal: Goal, patience: float = 1.0) -> Picker | Pusher | Reacher:
-    """Return the expert for a goal's kind."""
+    """Return an expert for the given kind of goal."""
     if isinstance(goal, Reached):
         return Reacher(env, goal, patience)
     if isinstance(goal, Pushed):

@@ -1,4 +1,4 @@
-"""The goals of tasks: an object that must reach a region and a state.
+"""The goals of tasks, each of which requires a target to reach a region and a state.
 
 A goal requires its target (an object or the tool centre point) to be in a *region* (an upright
 elliptic cylinder that may move with another object) and in a *state* (at rest, released, held ...).
@@ -108,14 +108,14 @@ class Goal(ABC):
         return True
 
     def words(self, world: World) -> str:
-        """Return the instruction, with names that are unambiguous among the present objects."""
+        """Return the goal as an English instruction, with unambiguous names for the objects."""
         named = {"target": self.target, "reference": self.reference}
         return self.sentence.format(**{k: the(world, name) for k, name in named.items() if name})
 
 
 @dataclass(frozen=True, eq=False)
 class Reached(Goal):
-    """A goal: the tool centre point at a given point in the world frame."""
+    """A goal that requires the tool centre point to be at a given point in the world frame."""
 
     spot: Float[np.ndarray, "3"]
     target: None = None
@@ -133,7 +133,7 @@ class Reached(Goal):
 
 @dataclass(frozen=True, eq=False)
 class Raised(Goal):
-    """A goal: an object held above ``start``, the object's initial centre in the world frame."""
+    """A goal that requires an object to be held above ``start``, its initial centre (world)."""
 
     target: str
     start: Float[np.ndarray, "3"]
@@ -143,7 +143,7 @@ class Raised(Goal):
     sentence = "lift {target}"
 
     def region(self, world: World) -> Region:
-        """Return the region above the object's start."""
+        """Return the region above the object's initial position."""
         return self._region
 
     @cached_property
@@ -160,9 +160,10 @@ class Raised(Goal):
 
 @dataclass(frozen=True, eq=False)
 class Pushed(Goal):
-    """A goal: an object pushed to a spot; ``rest`` is the centre's height above the support.
+    """A goal that requires an object to be pushed to a spot.
 
-    ``up`` is the world's up axis in the object's frame at the start.
+    ``rest`` is the height of the object's centre above the support when it stands there. ``up`` is
+    the world's up axis in the object's frame at the start.
     """
 
     target: str
@@ -189,7 +190,7 @@ class Pushed(Goal):
 
 @dataclass(frozen=True, eq=False)
 class OnSpot(Goal):
-    """A goal: an object placed on a spot; ``rest`` is as in `Pushed`.
+    """A goal that requires an object to be placed on a spot; ``rest`` is as in `Pushed`.
 
     ``stead`` is the object whose start position is the spot, if any.
     """
@@ -216,7 +217,10 @@ class OnSpot(Goal):
 
 @dataclass(frozen=True, eq=False)
 class Into(Goal):
-    """A goal: an object in a container's hollow; ``height`` is the resting object's height (m)."""
+    """A goal that requires an object to be in a container.
+
+    ``height`` is the height of the resting object in metres.
+    """
 
     target: str
     reference: str
@@ -226,7 +230,7 @@ class Into(Goal):
     sentence = "put {target} into {reference}"
 
     def region(self, world: World) -> Region:
-        """Return the free space of the hollow, up to the target's height above the rim."""
+        """Return the region of the hollow, extended by the target's height above the rim."""
         hollow, name = self.opening, self.reference
         rotation, top = world.rotation(name), hollow.rim + self.height
         local = np.array([*hollow.center, (hollow.floor + top) / 2])
@@ -246,7 +250,7 @@ class Into(Goal):
 
 @dataclass(frozen=True, eq=False)
 class OnTop(Goal):
-    """A goal: an object standing on the flat top of another; ``rest`` is as in `Pushed`.
+    """A goal that requires an object to stand on another's flat top; ``rest`` is as in `Pushed`.
 
     ``up`` is the world's up axis in the support's frame at the start.
     """
@@ -260,14 +264,14 @@ class OnTop(Goal):
     sentence = "put {target} on {reference}"
 
     def region(self, world: World) -> Region:
-        """Return the region for the object's centre when it rests on the flat part."""
+        """Return the region for the object's centre when it rests on the support's flat top."""
         rotation = world.rotation(self.reference)
         top = world.position(self.reference) + rotation @ self.plateau.center
         center = top + np.array([0.0, 0.0, self.rest])
         return Region(center, np.array([self.plateau.radius, self.plateau.radius, _ON_TOP]))
 
     def settled(self, world: World) -> bool:
-        """Return whether the object is at rest and released on the support, which is upright.
+        """Return whether the object is at rest and released on the support, which must be upright.
 
         An object at rest at that height over the flat part stands on it. Contacts are not checked,
         because MuJoCo lists none for sleeping bodies.
@@ -287,7 +291,7 @@ def named_by(goals: Iterable[Goal]) -> list[str]:
 
 
 def begin_goals(world: World, goals: Iterable[Goal]) -> tuple[Goal, ...]:
-    """Return goals of a scene, adapted to displaced objects at the start of an episode.
+    """Return a scene's goals, adapted to the positions of its objects at the start of an episode.
 
     Start positions become the current positions; marked spots are unchanged.
     """

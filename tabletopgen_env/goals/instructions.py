@@ -39,6 +39,6 @@ def _rightwards(obj: Object, yaw: float) -> float:
 
 
 def _color(scene: Scene, name: str) -> str | None:
-    """Return the object's colour according to the scene's plan, or None if it has none."""
+    """Return an object's colour in the scene's plan, or None if the plan has none."""
     planned = scene.plan.objects if scene.plan else ()
     return next((p.attributes.get("color") for p in planned if p.name == name), None)

@@ -1,4 +1,4 @@
-"""Candidate grasps: antipodal grasps of the expert's planner from all sides of a single object."""
+"""Candidate grasps: antipodal grasps of a single object from all sides, by the expert's planner."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ _GOLDEN = np.pi * (1 + 5**0.5)
 
 @dataclass(frozen=True, eq=False)
 class GraspCandidate:
-    """A candidate grasp in the object's frame: position of the tool (m) and rotation of the hand.
+    """A candidate grasp: the tool's position (m) and the hand's rotation in the object's frame.
 
     Column 1 of ``rotation`` is the opening direction, column 2 the approach direction. ``opening``
     and ``width`` are as in ``Grasp``, metres.
@@ -71,7 +71,10 @@ def _draw_rotation(rng: np.random.Generator) -> Float[np.ndarray, "3 3"]:
 
 
 def _turn_down(way: Float[np.ndarray, "3"]) -> Float[np.ndarray, "3 3"]:
-    """Return a rotation that turns a unit vector to -z; for an axis, it permutes signed axes."""
+    """Return a rotation that maps ``way`` to -z.
+
+    For a coordinate axis it is a signed permutation.
+    """
     side = np.eye(3)[int(np.abs(way).argmin())]
     side = side - way * (way @ side)
     side = side / np.linalg.norm(side)

@@ -1,4 +1,4 @@
-"""The grasp labels of a bundle: their values, and their file, which is validated on reading."""
+"""The grasp labels of a bundle: their values and their file, which is validated when read."""
 
 from __future__ import annotations
 
@@ -116,7 +116,7 @@ class GraspLabels:
         return len(self.position)
 
     def pick(self, which: Int[np.ndarray, "k"] | Bool[np.ndarray, "n"]) -> GraspLabels:
-        """Return the grasps selected by indices or a mask."""
+        """Return the labels of the grasps selected by indices or a mask."""
         return GraspLabels(**{name: getattr(self, name)[which] for name in _COLUMNS})
 
     def poses_at(self, pose: Pose) -> tuple[Float[np.ndarray, "n 3"], Float[np.ndarray, "n 3 3"]]:
@@ -131,7 +131,7 @@ class GraspLabels:
 
 @dataclass(frozen=True)
 class GraspFile:
-    """The content of a bundle's file: the labels by object name, and their settings.
+    """The content of a bundle's label file: the grasp labels by object name, and their settings.
 
     ``scene`` is the sha256 of the bundle's ``scene.json``.
     """
@@ -154,7 +154,7 @@ def read_grasps(path: str | Path) -> Mapping[str, GraspLabels]:
 
 
 def read_file(path: str | Path) -> GraspFile | None:
-    """Return a bundle's labels and their settings, validated, or None if it has none.
+    """Return the validated content of a bundle's label file, or None if there is no such file.
 
     Raises:
         BundleError: see ``read_grasps``.

@@ -1,4 +1,4 @@
-"""Pictures of grasp labels, with a fork for each grasp, green if it held and red if not."""
+"""Pictures of grasp labels; each grasp is a fork, coloured from red (failed) to green (held)."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ def draw_labels(scene: Scene, labels: Mapping[str, GraspLabels]) -> UInt8[np.nda
 
 
 def draw_object(thing: Object, labels: GraspLabels) -> UInt8[np.ndarray, "s s 3"]:
-    """Return a picture of one object in its own frame, with a fork for each label."""
+    """Return a picture of one object in its own frame, with a fork-shaped symbol for each grasp."""
     items = [place(thing.model.mesh, thing.scale, np.zeros(3), np.array([1.0, 0.0, 0.0, 0.0]))]
     for k in range(len(labels)):
         color = (_BAD + labels.quality[k] * (_GOOD - _BAD)).round().astype(np.uint8)
@@ -57,7 +57,7 @@ def draw_object(thing: Object, labels: GraspLabels) -> UInt8[np.ndarray, "s s 3"
 
 
 def _bars(opening: float) -> list[Float[np.ndarray, "8 3"]]:
-    """Return the corners of a fork's four bars in the hand's frame, in metres."""
+    """Return the corners of the four bars of a grasp's fork symbol, in metres (hand frame)."""
     half, back = opening / 2, TIP - _PRONG
     prongs = [_bar([0, y, back], [0, y, TIP]) for y in (-half, half)]
     bridge = _bar([0, -half - _THICK / 2, back], [0, half + _THICK / 2, back])
@@ -65,7 +65,7 @@ def _bars(opening: float) -> list[Float[np.ndarray, "8 3"]]:
 
 
 def _bar(start: list[float], end: list[float]) -> Float[np.ndarray, "8 3"]:
-    """Return the corners of a bar along one axis."""
+    """Return the corners of an axis-aligned bar from ``start`` to ``end``."""
     low, high = np.array(start, float), np.array(end, float)
     return (low + high) / 2 + _CORNERS * np.maximum(high - low, _THICK)
 

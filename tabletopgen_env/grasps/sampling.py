@@ -160,7 +160,7 @@ def _label(job: tuple[Object, GraspTerms]) -> GraspLabels:
 
 
 class _Begun:
-    """Labels of a bundle's finished objects, kept in the user's cache until all are done."""
+    """A cache of the labels of a bundle's finished objects, kept until all objects are done."""
 
     def __init__(self, scene: str, terms: GraspTerms) -> None:
         made_with = {"scene": scene, "terms": asdict(terms), "versions": versions(_VERSIONS)}

@@ -148,7 +148,7 @@ class GraspBench:
         return data.xipos[self._body].copy(), data.xmat[self._body].reshape(3, 3).copy()
 
     def _holds(self, start: tuple[Float[np.ndarray, "3"], Float[np.ndarray, "3 3"]]) -> bool:
-        """Return whether the object is still in the hand, close to its pose ``start``."""
+        """Return whether the object is still in the hand, close to its initial pose ``start``."""
         place, axes = self._pose()
         if np.linalg.norm(place - start[0]) > SLIP or not self._is_touched():
             return False
@@ -169,7 +169,7 @@ class GraspBench:
 
 
 def _pulls(stage: str) -> Iterator[Float[np.ndarray, "3"]]:
-    """Yield the gravity of a stage in m/s², in the object's frame at the time of the grasp."""
+    """Yield a stage's gravity vectors (m/s²), in the object's frame at the time of the grasp."""
     span = _STEP * _EVERY
     if stage == "lift":
         for k in range(round((_RAMP + _HOLD) / span)):

@@ -44,7 +44,10 @@ class EpisodePlayer:
 
 @dataclass(frozen=True)
 class EpisodeResult:
-    """An episode; ``reward`` is the mean per step, and ``table`` a digest of table and objects."""
+    """The result of an episode.
+
+    ``reward`` is the mean per step, and ``table`` is a digest of the table and its objects.
+    """
 
     solved: bool
     steps: int
@@ -70,7 +73,7 @@ class PolicyEvaluation:
 
     @property
     def interval(self) -> tuple[float, float]:
-        """The 95 % Wilson interval of the fraction solved."""
+        """The 95 % Wilson interval of the fraction of solved episodes."""
         return wilson(self.solved, self.episodes)
 
     def __str__(self) -> str:

@@ -30,7 +30,7 @@ _POINTS = 200
 
 @dataclass(frozen=True, eq=False)
 class Band:
-    """The success rate of a recipe's runs: mean, minimum and maximum over their common range."""
+    """The mean, minimum and maximum success rate of a recipe's runs over their common range."""
 
     runs: int
     at: Float[np.ndarray, "n"]
@@ -40,7 +40,7 @@ class Band:
 
 
 def bands(runs: Sequence[Run], by: By = "steps") -> dict[str, Band]:
-    """Return a band for each recipe name, interpolated between evaluations.
+    """Return the success-rate band of each recipe name, interpolated between evaluations.
 
     Runs belong to one band if their recipes are equal except for the number of steps. If recipes
     with the same name differ otherwise, the differing settings are added to the name. A run given
@@ -115,7 +115,7 @@ def draw(found: Mapping[str, Band], by: By = "steps") -> UInt8[np.ndarray, "h w 
 
 
 def figure(found: Mapping[str, Band], by: By) -> Figure:
-    """Return the chart that ``draw`` renders; recipe names are plain text, without markup."""
+    """Return the chart that ``draw`` renders; recipe names are shown literally, without markup."""
     from matplotlib.figure import Figure
     from matplotlib.ticker import FuncFormatter, MaxNLocator, PercentFormatter
 

@@ -135,7 +135,7 @@ class TrainedPolicy:
 
 
 def _memory(state: Any, starts: Any, shape: tuple[int, int]) -> Tensor:
-    """Return the memory, with zeros in the rows whose episode begins."""
+    """Validate and return a policy's memory, with zeros in the rows whose episode begins."""
     if state is None:
         return torch.zeros(shape)
     memory = np.array(state, np.float32)
@@ -373,7 +373,7 @@ def _check_printable(value: Any) -> None:
 
 
 def _detector(env: Mapping[str, Any]) -> dict[str, str]:
-    """Return the digest of the grasp detector if the environment's state uses it."""
+    """Return the digest of the grasp detector if the state uses it, or an empty dict otherwise."""
     if env.get("grasp_hint") != "detected":
         return {}
     from ..detection.detector import shipped_digest

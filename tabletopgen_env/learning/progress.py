@@ -29,7 +29,7 @@ Say = Callable[[str], None]
 
 @dataclass(frozen=True)
 class TrainingPlan:
-    """Settings of a training run besides its recipe.
+    """Settings of a training run other than its recipe.
 
     Attributes:
         seed: seed of weights, environments and exploration.
@@ -100,7 +100,7 @@ class Tracker:
         self.run.save(learner, self.counts, self.plan.keep_replay)
 
     def is_finished(self) -> bool:
-        """Return whether the recipe's steps are done; if so, report it."""
+        """Return whether all steps of the recipe are done; if so, print a message."""
         done, path = self.counts.steps, self.run.path
         if done < self.run.recipe.steps:
             return False
@@ -115,7 +115,7 @@ class Tracker:
             self.checkpoint(learner, steps)
 
     def heed(self) -> None:
-        """Raise ``StopAsked`` after Ctrl-C."""
+        """Raise ``StopAsked`` if Ctrl-C has been pressed."""
         if self.stop.is_set():
             raise StopAsked
 
@@ -139,7 +139,7 @@ class Tracker:
 
 
 class Pauses:
-    """Evaluations, checkpoints and progress display between rollouts."""
+    """A schedule of evaluations and checkpoints between rollouts, with a progress bar."""
 
     def __init__(self, tracker: Tracker) -> None:
         self._tracker = tracker
@@ -148,7 +148,7 @@ class Pauses:
         self._bar = bar(tracker.run.recipe.steps) if tracker.plan.bar else None
 
     def pause(self, learner: Learner, steps: int) -> bool:
-        """If due after ``steps`` steps, evaluate and save a checkpoint; return whether it was due.
+        """Evaluate and save a checkpoint if due after ``steps`` steps; return whether it was due.
 
         Raises:
             StopAsked: after Ctrl-C.

@@ -152,7 +152,7 @@ class Run:
         return Counts(steps=rows[-1].steps, seconds=rows[-1].seconds, best=best)
 
     def restore(self, learner: Learner) -> tuple[Counts, bool]:
-        """Load the newest checkpoint into a learner; return its counts and whether it had a buffer.
+        """Load the newest checkpoint; return its counts and whether it contains a replay buffer.
 
         Without a checkpoint the learner is unchanged. Later evaluations are dropped from the table.
 
@@ -254,7 +254,7 @@ def read_rows(path: Path) -> list[EvaluationRow]:
 
 
 def _row(cells: Mapping[str, str]) -> EvaluationRow:
-    """Parse a row of the table; raise ValueError if its numbers are impossible."""
+    """Parse a row of the evaluation table; raise ValueError if its numbers are impossible."""
     row = EvaluationRow(
         int(cells["steps"]), float(cells["seconds"]), int(cells["episodes"]),
         int(cells["solved"]), float(cells["reward"]), float(cells["length"]),

@@ -79,7 +79,7 @@ def source_of(
 
 
 def _vary(source: SceneSource, variants: int) -> SceneSource:
-    """Return a source with a new number of fresh tables, if it generates any."""
+    """Return a source with ``variants`` fresh tables, or the source itself if it generates none."""
     if isinstance(source, CurriculumScenes) and isinstance(source.source, FreshScenes):
         return replace(source, source=_vary(source.source, variants))
     return replace(source, variants=variants) if isinstance(source, FreshScenes) else source
@@ -96,7 +96,7 @@ def worlds_kept(source: SceneSource) -> int:
 
 
 def count_shared(source: SceneSource, other: SceneSource) -> int:
-    """Count the shared tables of two sources by digest, among those available without drawing.
+    """Count, by digest, the available tables that two sources share, without drawing new ones.
 
     The initial tables of a refreshing pool are counted, too.
 
@@ -120,7 +120,7 @@ def single_env(
 
 
 def vector_env(recipe: Recipe, source: SceneSource) -> TabletopVectorEnv:
-    """Create a recipe's training environments; closing them does not close the scenes."""
+    """Create a recipe's training environments; closing them does not close the scene source."""
     limit = spec_of(recipe.task).max_episode_steps
     return TabletopVectorEnv(
         recipe.envs, processes=recipe.processes, autoreset_mode="SameStep",
@@ -171,7 +171,7 @@ def new_model(recipe: Recipe, env: Any, seed: int) -> BaseAlgorithm:
 
 
 def blank_model(recipe: Recipe, like: gym.Env[Any, Any]) -> BaseAlgorithm:
-    """Create a recipe's model for all its environments, with a replay buffer of one step each.
+    """Create a recipe's model for blank environments, with a replay buffer of one step for each.
 
     ``like`` provides the spaces of the environments; it is not changed.
 
@@ -188,7 +188,7 @@ def blank_model(recipe: Recipe, like: gym.Env[Any, Any]) -> BaseAlgorithm:
 
 
 class _Blank(gym.Env):
-    """An environment with given spaces that does nothing."""
+    """An environment that does nothing, with the spaces of another environment."""
 
     def __init__(self, like: gym.Env[Any, Any]) -> None:
         self.observation_space, self.action_space = like.observation_space, like.action_space

@@ -110,7 +110,7 @@ def train(
 
 
 def _check(recipe: Recipe, env: gym.Env[Any, np.ndarray]) -> None:
-    """Raise, before anything is written, errors that would otherwise occur later."""
+    """Check a recipe's settings, so that errors are raised before anything is written."""
     cloning_config(recipe)
     batch_config(recipe)
     env.reset(seed=0)
@@ -177,7 +177,7 @@ def _go_on(tracker: Tracker, model: BaseAlgorithm, refill: bool) -> None:
 
 
 def _refill(model: OffPolicyAlgorithm, callback: Progress, maximum: int) -> None:
-    """Let the policy act without learning for ``learning_starts`` steps."""
+    """Fill the replay buffer with ``learning_starts`` steps of the policy, without learning."""
     until = min(model.num_timesteps + model.learning_starts, maximum)
     _, called = model._setup_learn(until, callback, reset_num_timesteps=False)
     assert model.env is not None and model.replay_buffer is not None
@@ -229,7 +229,7 @@ def _clone(
     then: Callable[[Round], None] | None = None,
     kept: RoundsFolder | None = None,
 ) -> None:
-    """Clone the expert into the model's actor; ``then`` is called after each round."""
+    """Train the model's actor to imitate the expert; ``then`` is called after each round."""
     recipe = tracker.run.recipe
     config = cloning_config(recipe)
     assert isinstance(model, SAC)
@@ -275,7 +275,7 @@ def _teach(tracker: Tracker, model: SAC, scenes: SceneSource, kept: RoundsFolder
 def _showings(
     tracker: Tracker, scenes: SceneSource, tables: int, folder: Path
 ) -> list[GraspShowing]:
-    """Return the grasp demonstrations on at least ``tables`` tables, in chunks cached in a folder.
+    """Return grasp demonstrations on at least ``tables`` tables, in chunks cached in ``folder``.
 
     Existing chunks are reused without checks, so a folder must only be shared by runs with the same
     scenes.

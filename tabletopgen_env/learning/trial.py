@@ -61,7 +61,7 @@ class PolicyTrial:
         render: bool = False,
         strip: Path | None = None,
     ) -> Results:
-        """Yield episodes as they end; show them or write pictures of the first one to ``strip``."""
+        """Yield the results of episodes; show them, or save pictures of the first to ``strip``."""
         drawn: dict[str, Any] = {"render_mode": "human"} if render else {}
         if strip:
             drawn = {"render_mode": "rgb_array", "render_size": (240, 320)}
@@ -73,7 +73,7 @@ class PolicyTrial:
                     _write_strip(frames, strip)
 
     def play_apart(self, seeds: Iterable[int], pool: PoolOptions) -> Results:
-        """Yield the episodes of ``play_here`` in the same order, run by the processes of a pool.
+        """Yield the results of ``play_here`` in the same order, computed by processes of a pool.
 
         The policy is pickled; each process resolves the scenes itself.
 

@@ -69,13 +69,13 @@ class FlatState:
         return entries.astype(np.float32)
 
     def _slots(self, entries: Float[np.ndarray, "n"]) -> Float[np.ndarray, "s 19"]:
-        """Return a writable view of the filled slots of a state."""
+        """Return a writable view of the filled object slots of a state."""
         size = len(SLOT_BOUNDS)
         first, count = len(ROBOT_BOUNDS), len(self._rows)
         return entries[first : first + size * count].reshape(count, size)
 
     def _read_robot(self, entries: Float[np.ndarray, "n"], noise: Noise | None) -> None:
-        """Write entries 0 to 33."""
+        """Write the entries of the robot, which are 0 to 33."""
         world, name = self._world, self._goal.target
         write_robot(entries, world, noise)
         left, right, _ = (False,) * 3 if name is None else world.touches(name)
@@ -84,7 +84,7 @@ class FlatState:
     def _read_objects(
         self, entries: Float[np.ndarray, "n"], noise: Noise | None
     ) -> Float[np.ndarray, "s 19"]:
-        """Write the slots and return the filled ones."""
+        """Write the object slots, and return a view of the filled ones."""
         world, state, rows = self._world, self._world.state, self._rows
         slots, speed = self._slots(entries), state.velocities[rows]
         positions = world.to_base(state.positions[rows])
@@ -101,7 +101,7 @@ class FlatState:
     def _misread(
         self, entries: Float[np.ndarray, "n"], hint: Float[np.ndarray, "8"], noise: Noise
     ) -> Float[np.ndarray, "8"]:
-        """Return the hint with errors consistent with the noise of the other entries."""
+        """Return the grasp hint with sensor errors that match the noise of the other entries."""
         world = self._world
         tool = entries[15:18] - world.to_base(world.state.tool)
         yaw = wrap(float(np.arctan2(entries[19], entries[18])) - rotation_yaw(world.hand))

@@ -88,7 +88,7 @@ def misread(
     tool: Float[np.ndarray, "3"],
     yaw: float,
 ) -> Float[np.ndarray, "8"]:
-    """Return the entries with the sensor errors ``target`` and ``tool`` (m) and ``yaw`` added.
+    """Return hint entries with the sensor errors ``target`` (m), ``tool`` (m) and ``yaw`` added.
 
     These are errors of the two positions, base frame, and of the hand's yaw, radians.
     """
@@ -105,11 +105,12 @@ def misread(
 
 
 class GraspHint:
-    """The grasp of the active target, which moves with the object, and then the release place.
+    """The planned grasp of the active target and, once the target is held, the place to release it.
 
-    The grasp is planned again when the object has come to rest elsewhere, untouched by the robot,
-    or has been lost. ``planned`` is the grasp as it was planned, ``drop`` is the current place, if
-    any, ``choose`` plans grasps, and the optional ``place`` plans places.
+    The grasp moves with the object. The grasp is planned again when the object has come to rest
+    elsewhere, untouched by the robot, or has been lost. ``planned`` is the grasp as it was planned,
+    ``drop`` is the current place, if any, ``choose`` plans grasps, and the optional ``place`` plans
+    places.
     """
 
     def __init__(self, kind: HintKind = "planned", place: Placer | None = None) -> None:
@@ -128,11 +129,11 @@ class GraspHint:
         self._low = 0.0
 
     def __reduce__(self) -> tuple[type[GraspHint], tuple[HintKind, Placer | None]]:
-        """Return the state for copying or pickling: a hint of the same kind, without an episode."""
+        """Support copying and pickling; the copy is a hint of the same kind, without an episode."""
         return GraspHint, (self.kind, self._given)
 
     def begin(self, world: World, goal: Goal) -> None:
-        """Plan for a newly active goal."""
+        """Plan a grasp for a newly active goal."""
         self._target, self.planned, self.drop, self._lost = goal.target, None, None, ()
         if goal.target is not None:
             self._take(world, goal.target)
@@ -144,7 +145,7 @@ class GraspHint:
         return self._carry(world, name, self.planned)
 
     def entries(self, world: World, goal: Goal) -> Float[np.ndarray, "8"]:
-        """Return the current entries, after planning again if necessary."""
+        """Return the hint's current entries, after planning again if necessary."""
         name = self._target
         if name is None:
             return np.zeros(8)
@@ -179,7 +180,10 @@ class GraspHint:
         return np.array([*left, turn, opening, grasp.width, rise, kind])
 
     def _take(self, world: World, name: str, blamed: bool = False) -> None:
-        """Plan a grasp; lost grasps, including the current one if ``blamed``, rank last."""
+        """Plan a grasp; grasps that lost the object rank last.
+
+        If ``blamed``, the current grasp is one of them.
+        """
         lost = (*self._lost, self.planned) if blamed and self.planned else self._lost
         self._lost = tuple(self._carry(world, name, plan) for plan in lost)
         if world.data.time > 0:
@@ -192,7 +196,7 @@ class GraspHint:
         self._low = 0.0 if self.planned is None else float(self.planned.grasp.point[2])
 
     def _carry(self, world: World, name: str, plan: GraspPlan) -> GraspPlan:
-        """Return a grasp that has moved with the object since the last call of ``_take``."""
+        """Return a grasp, moved as the object has moved since the last call of ``_take``."""
         turned = world.rotation(name) @ self._rotation.T
         at, turn, old = world.position(name), rotation_yaw(turned), plan.grasp
         point = at + turned @ (old.point - plan.seen)
@@ -229,7 +233,7 @@ def grasp_hint_of(asked: bool | HintKind) -> GraspHint | None:
 def _rise(
     world: World, name: str, end: Float[np.ndarray, "3"], depth: float, broad: float
 ) -> float:
-    """Return entry 6 for the move to ``end`` with a load ``depth`` deep and ``broad`` wide."""
+    """Return hint entry 6 for a move to ``end`` with a load ``depth`` deep and ``broad`` wide."""
     tool = world.data.site_xpos[world.tcp]
     if math.hypot(*(end - tool)[:2]) <= NEAR:
         return 0.0

@@ -115,7 +115,7 @@ class HeightLook:
         middle: Float[np.ndarray, "2"],
         heading: float,
     ) -> UInt8[np.ndarray, "48 48"]:
-        """Return the map of the objects ``names`` around ``middle`` (x, y, world)."""
+        """Return the height map of the objects ``names`` around ``middle`` (x, y, world)."""
         points = middle + _GRID @ rotation_z(heading)[:2, :2].T
         heights = np.zeros(len(points))
         for name in names:

@@ -36,7 +36,7 @@ def proprioception_space() -> spaces.Box:
 
 
 def feel(world: World, noise: Noise | None = None) -> Float[np.ndarray, "33"]:
-    """Return the current entries as ``float32``, clipped to their bounds."""
+    """Return the current proprioceptive entries as ``float32``, clipped to their bounds."""
     entries = np.zeros(SHARED + 1)
     write_robot(entries, world, noise)
     entries[SHARED] = world.state.finger_velocities.sum()
@@ -44,7 +44,7 @@ def feel(world: World, noise: Noise | None = None) -> Float[np.ndarray, "33"]:
 
 
 def write_robot(entries: Float[np.ndarray, "n"], world: World, noise: Noise | None) -> None:
-    """Write the first 32 entries of a state, without clipping."""
+    """Write the robot's part of a state, entries 0 to 31, without clipping."""
     state = world.state
     joints, tool, hand = state.joints, world.to_base(state.tool), world.hand
     if noise is not None:

@@ -50,7 +50,7 @@ from .workers.threads import ThreadSlots
 
 @dataclass(frozen=True)
 class Processes:
-    """The number of processes, and how they step their slots."""
+    """The number of processes, and whether each one steps its environments together."""
 
     count: int
     together: bool = False
@@ -298,7 +298,7 @@ class TabletopVectorEnv(VectorEnv[Any, Any, Any]):
         return self._runner.pids if isinstance(self._runner, ShardSlots) else ()
 
     def __getstate__(self) -> dict[str, Any]:
-        """Return the state for a copy, whose slots have no episode, as for single environments."""
+        """Return the state to be pickled or copied; the slots of a copy have no episodes."""
         if self.pids:
             self._check_process()
         state = {k: v for k, v in self.__dict__.items() if k != "_process"}
@@ -347,7 +347,7 @@ class TabletopVectorEnv(VectorEnv[Any, Any, Any]):
             )
 
     def _check_playing(self) -> None:
-        """Refuse to step slots without an episode, or with one that is over."""
+        """Raise InputError if a slot has no episode, or one that is over and must be reset."""
         rows = self._runner.arrays
         if not rows.playing.all():
             idle = np.flatnonzero(~rows.playing).tolist()

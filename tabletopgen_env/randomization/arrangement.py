@@ -34,7 +34,7 @@ _DEPTH = 10.0  # depth below the floor of removed objects, metres
 
 
 def bundles(world: World) -> dict[str, str]:
-    """Return, for each object, the first object in its bundle that stands on the table.
+    """Map each object to the first one on the table in its bundle, a group of touching objects.
 
     The world must be at its start; the contacts there define the bundles.
     """
@@ -61,7 +61,7 @@ def _touching(world: World) -> list[tuple[str, str]]:
 def draw_poses(
     settings: Randomization, world: World, rng: np.random.Generator
 ) -> dict[str, list[float]]:
-    """Draw a move (x, y; metres) and a turn (radians) for each bundle of a world at its start."""
+    """Draw a displacement (x, y in metres) and a turn (radians) for each bundle at the start."""
     most = np.array([settings.move, settings.move, settings.turn])
     drawn = (most * rng.uniform(-1, 1, (len(world.names), 3))).tolist()
     roots = set(bundles(world).values())
@@ -69,7 +69,7 @@ def draw_poses(
 
 
 def apply_poses(world: World, drawn: Mapping[str, list[float]]) -> list[str]:
-    """Rearrange the world's scene; return the names in ``drawn`` of bundles that stayed in place.
+    """Apply the moves in ``drawn`` to a world's bundles; return the names of those that stayed.
 
     The world must be at its start, and is at its new start afterwards.
     """
@@ -105,7 +105,7 @@ def move(scene: Scene, root: Mapping[str, str], moves: Mapping[str, list[float]]
 def _find_misplaced(
     world: World, before: Scene, root: Mapping[str, str], movers: set[str]
 ) -> set[str]:
-    """Return the ``movers`` that must stay: those over the edge, overlapping, or not at rest."""
+    """Return the ``movers`` that must stay because they overhang, overlap, or are not at rest."""
     import mujoco
 
     if over := {root[n] for n in world.names if _over_the_edge(world.scene, before, n)}:
@@ -165,7 +165,7 @@ def _restless(
 def draw_distractors(
     settings: Randomization, world: World, rng: np.random.Generator
 ) -> dict[str, Any]:
-    """Draw how many objects may stay besides those of the task, and the order of removal."""
+    """Draw how many distractors may stay, and the order in which objects are removed."""
     low, high = settings.distractors or (0, 0)
     order = [world.names[k] for k in rng.permutation(len(world.names))]
     return {"most": int(rng.integers(low, high + 1)), "order": order}
@@ -174,7 +174,7 @@ def draw_distractors(
 def leaving(
     root: Mapping[str, str], keep: Collection[str], most: int, order: Iterable[str]
 ) -> tuple[str, ...]:
-    """Return the objects to remove, in ``order``, so that at most ``most`` others stay.
+    """Return the objects to remove, chosen in ``order``, so that at most ``most`` distractors stay.
 
     The objects in ``keep`` stay with their bundles (``root``). Others are removed as whole bundles.
     """
@@ -190,7 +190,7 @@ def leaving(
 
 
 def take_away(world: World, names: Collection[str]) -> None:
-    """Move objects below the floor; remove their contacts, weight and slot."""
+    """Move objects below the floor, without collisions, weight, or slots in observations."""
     import mujoco
 
     model, data = world.model, world.data

@@ -77,13 +77,13 @@ def apply_gains(world: World, drawn: dict[str, Any]) -> None:
 
 
 def draw_table(settings: Randomization, world: World, rng: np.random.Generator) -> dict[str, Any]:
-    """Draw the increase in the table's height, in metres."""
+    """Draw the change of the table's height in metres."""
     del world
     return {"height": settings.table_height * float(rng.uniform(-1, 1))}
 
 
 def apply_table(world: World, drawn: dict[str, Any]) -> None:
-    """Lower the robot's base, its pedestal and the fixed cameras."""
+    """Apply a change in table height by moving the robot, its pedestal and the fixed cameras."""
     model, down = world.model, np.array([0.0, 0.0, -drawn["height"]])
     model.body_pos[model.body(_BASE).id] += down
     for name in (FRONT_CAMERA, TOP_CAMERA):

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 
 class Feasible:
-    """Requirements on a start state, derived from the original one and checked after moves."""
+    """Conditions for feasible goals, derived from the original start and checked after moves."""
 
     def __init__(self, world: World, goals: Sequence[Goal]) -> None:
         self._world = world
@@ -56,7 +56,7 @@ def touches_robot(world: World) -> bool:
 
 @dataclass(frozen=True, eq=False)
 class _Taken:
-    """An object to be grasped, with a plan for its position (metres) and rotation in the world."""
+    """An object to be grasped, its pose in the world (metres), and a grasp plan for that pose."""
 
     name: str
     plan: GraspPlan
@@ -64,7 +64,7 @@ class _Taken:
     rotation: Float[np.ndarray, "3 3"]
 
     def has_grasp(self, world: World) -> bool:
-        """Return whether the arm can reach this or another grasp at the object's current pose."""
+        """Return whether the arm can reach this or any other grasp at the object's current pose."""
         turned = world.rotation(self.name) @ self.rotation.T
         point = world.position(self.name) + turned @ (self.plan.grasp.point - self.position)
         turn = rotation_yaw(turned)

@@ -43,7 +43,7 @@ def apply_lights(world: World, drawn: dict[str, Any]) -> None:
 
 
 def draw_cameras(settings: Randomization, world: World, rng: np.random.Generator) -> dict[str, Any]:
-    """Draw the move, rotation and field-of-view factor of each camera."""
+    """Draw a displacement, a rotation and a field-of-view factor for each camera."""
     del world
     drawn = {}
     for name in CAMERAS:
@@ -68,7 +68,7 @@ def apply_cameras(world: World, drawn: dict[str, Any]) -> None:
 def _turn(
     quaternion: Float[np.ndarray, "4"], turn: Float[np.ndarray, "3"]
 ) -> Float[np.ndarray, "4"]:
-    """Return a wxyz quaternion rotated by a rotation vector in its own frame."""
+    """Return a wxyz quaternion, rotated in its local frame by a rotation vector."""
     old = Rotation.from_quat(np.roll(quaternion, -1))
     return np.roll((old * Rotation.from_rotvec(turn)).as_quat(), 1)
 

@@ -34,7 +34,7 @@ def carry(outline: Outline, centre: Point, moves: Moves) -> Outlines:
 def keeps(
     own: Outlines, other: Outline, was: Outline, others: Outline, room: float
 ) -> Bool[np.ndarray, "c"]:
-    """Return which outlines keep ``room``, or the original distance if smaller, from ``other``.
+    """Return which outlines are at least ``room``, or the original gap if smaller, from ``other``.
 
     ``was`` and ``others`` are the original outlines of the moved object and of ``other``; their
     distance is sufficient if it is smaller than ``room``.
@@ -48,13 +48,13 @@ def keeps(
 
 
 def near(own: Outlines, other: Outline, room: float) -> bool:
-    """Return whether the common bounding box of outlines is within ``room`` of ``other``'s box."""
+    """Return whether the bounding box of outlines is within ``room`` of that of ``other``."""
     low, high = own.min((0, 1)) - room, own.max((0, 1)) + room
     return bool((low <= other.max(0)).all() and (high >= other.min(0)).all())
 
 
 def apart(own: Outlines, other: Float[np.ndarray, "m 2"]) -> Float[np.ndarray, "c"]:
-    """Return the distance of each convex outline from another or a point; overlap is negative.
+    """Return the distance from each convex outline to an outline or a point, negative on overlap.
 
     The result is the largest separation along an edge normal, a lower bound of the distance.
     """

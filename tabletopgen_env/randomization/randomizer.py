@@ -132,7 +132,7 @@ class Randomizer:
         return self._late.popleft() if len(self._late) > self._delay else None
 
     def noise(self) -> Noise | None:
-        """Return the next reading's noise, or None if it is off."""
+        """Return the noise of the next observation, or None if noise is off."""
         if "noise" not in self._on:
             return None
         draw, settings = self._noise.standard_normal, self.settings
@@ -143,7 +143,7 @@ class Randomizer:
         )
 
     def _pose(self, world: World) -> None:
-        """Displace the world's objects where they can remain at rest."""
+        """Draw new poses of objects, and apply those that are unobstructed and at rest."""
         world.reset()
         drawn = arrangement.draw_poses(self.settings, world, self._stream("poses"))
         stayed = arrangement.apply_poses(world, drawn)

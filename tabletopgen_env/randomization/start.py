@@ -93,7 +93,7 @@ def start_off(
 
 @dataclass(frozen=True, eq=False)
 class _Zone:
-    """An outline to be kept free of all bundles except ``of``; it moves with ``carrier``."""
+    """An area that only the bundles ``of`` may cover; it moves with the bundle ``carrier``."""
 
     outline: Outline
     of: tuple[str, ...]
@@ -107,7 +107,7 @@ class _Zone:
 
 
 class _Tabletop:
-    """Bundles to displace, named by their first object: their ``order`` and accepted ``moves``."""
+    """The bundles to displace, by their first objects, with an ``order`` and accepted ``moves``."""
 
     def __init__(self, world: World, goals: Sequence[Goal]) -> None:
         self._before = world.scene
@@ -123,7 +123,7 @@ class _Tabletop:
         self.order = [name for name in listed if self._free(name)]
 
     def displace(self, first: str, tries: Moves) -> None:
-        """Move a bundle by the first valid one of ``tries``, if any."""
+        """Move the bundle named ``first`` by the first valid move in ``tries``, if there is one."""
         centre = self._before.object(first).pose.position[:2]
         own = carry(self._outlines[first], centre, tries)
         good = self._on_table(first, own) & self._in_reach(first, tries)
@@ -146,7 +146,7 @@ class _Tabletop:
         return on and bool(inside_margin(self._then[first], self._before.table.outline).min() >= 0)
 
     def _room(self, first: str, other: str) -> float:
-        """Return the distance in metres to keep from a bundle, including room for a hand."""
+        """Return the gap in metres to keep from a bundle, with room for the hand if necessary."""
         if first not in self._wanted:
             return ROOM
         below = max(self._tops[first], _PALM_Z)
@@ -194,7 +194,7 @@ class _Tabletop:
         return good
 
     def _in_the_way(self, moves: Mapping[str, list[float]]) -> bool:
-        """Return whether a tall object would obstruct the arm's path to an object of the goals."""
+        """Return whether a tall object would newly obstruct the arm's path to a goal's object."""
         before, mount = self._before, self._world.mount
         high = before.table.height + TALL
         if all(o.pose.position[2] + np.linalg.norm(o.scale) / 2 < high for o in before.objects):
@@ -217,7 +217,7 @@ def _tops(world: World, root: Mapping[str, str]) -> dict[str, float]:
 
 
 def _together(world: World) -> tuple[dict[str, str], dict[str, Outline]]:
-    """Return the first object of each object's bundle, and the bundles' convex outlines."""
+    """Return each object's bundle, named by its first object, and the bundles' convex outlines."""
     root = bundles(world)
     outlines = {
         first: hull([world.footprints[name] for name in world.names if root[name] == first])

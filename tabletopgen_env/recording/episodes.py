@@ -1,4 +1,4 @@
-"""The expert's episodes for recording, played here or by several processes."""
+"""Episodes of the expert to be recorded, played in this process or in several others."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ class RecordedEpisode:
 
     @property
     def state(self) -> Float[np.ndarray, "t1 s"] | None:
-        """The flat state before each step and after the last one, if it was observed."""
+        """The flat state before each step and after the last one, or None if it is unknown."""
         seen = self.observations
         return seen.get("state") if isinstance(seen, dict) else seen  # type: ignore[return-value]
 
@@ -101,7 +101,7 @@ def play_episodes(
     ray: str | None = None,
     first: int = 0,
 ) -> Generator[RecordedEpisode | SceneError, None, None]:
-    """Yield episodes indefinitely; an episode that is not kept is replaced by the reason.
+    """Yield recorded episodes indefinitely, or an error with the reason if one is not kept.
 
     The first episode has the number ``first``. The episodes do not depend on the number of
     ``workers``, or on whether these run on the Ray cluster at the address ``ray``; a single local
@@ -136,7 +136,7 @@ def _environment(config: RecordConfig) -> gym.Env[Any, Any]:
 def _chunk(
     config: RecordConfig, make: bytes, first: int, few: int
 ) -> list[RecordedEpisode | SceneError]:
-    """Play one process's episodes in the environment that the pickled ``make`` creates."""
+    """Play ``few`` episodes from number ``first`` in the environment made by pickled ``make``."""
     env = call_once(make)
     return [_attempt(config, env, first + k) for k in range(few)]
 

@@ -15,7 +15,7 @@ _Playing = Callable[[Iterable[RecordedEpisode]], Iterator[RecordedEpisode]]
 
 @contextmanager
 def deferring() -> Iterator[_Playing]:
-    """Defer Ctrl-C except while episodes are played; yield a wrapper for their iteration.
+    """Defer Ctrl-C except while episodes are played; yield a wrapper for the episodes' iterator.
 
     Ctrl-C during the writing of an episode ends the iteration after that episode. Outside the main
     thread nothing is deferred.

@@ -105,7 +105,7 @@ def _claim(part: Path, key: Mapping[str, Any]) -> None:
 
 
 def _drop_if_empty(part: Path) -> None:
-    """Remove the incomplete dataset, and the folder if nothing else is stored in it."""
+    """Remove an incomplete dataset, and its folder if nothing else is stored in it."""
     if (part / _PLACE).is_dir():
         shutil.rmtree(part / _PLACE, ignore_errors=True)
     kept = [p for p in part.iterdir() if p.name not in (_KEY, _LOCK)]

@@ -206,7 +206,7 @@ def _write(
 
 
 def _target(config: RecordConfig, out: str | Path | None, format: Format) -> Path:
-    """Return the path of the dataset after checking that it is free and validly named."""
+    """Check that the dataset's path does not exist and has a valid name; return the path."""
     if out is None and format != "minari":
         raise InputError(f"Set 'out' to the path of the {format} dataset.")
     if out is None:

@@ -122,7 +122,7 @@ class ObservationConfig:
         self._check_marks()
 
     def _check_marks(self) -> None:
-        """Validate the instruction, mark and calibration; resolve None."""
+        """Validate the instruction, target mark and calibration; replace None by a default."""
         if self.instruction is None:
             default: InstructionKind = "text" if self.mode == "pixels+proprio" else "none"
             object.__setattr__(self, "instruction", default)
@@ -216,7 +216,7 @@ def _picture_size(name: str, size: int | tuple[int, int], maximum: int) -> tuple
 
 
 def _some(what: str, wanted: Any, known: Collection[str]) -> tuple[str, ...]:
-    """Return ``wanted`` as a tuple of distinct known names."""
+    """Return ``wanted`` as a tuple of names, after checking that they are known and distinct."""
     several = isinstance(wanted, Iterable) and not isinstance(wanted, str)
     names: tuple[Any, ...] = tuple(wanted) if several else (wanted,)
     for name in names:

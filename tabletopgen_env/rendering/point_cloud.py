@@ -48,7 +48,7 @@ def point_cloud_spaces(count: int) -> dict[str, spaces.Space[Any]]:
 def point_cloud(
     config: ObservationConfig, world: World, drawers: DrawerOf, order: Sequence[str]
 ) -> dict[str, Shaped[np.ndarray, "n *_c"]]:
-    """Return the cloud seen by the cameras of ``config``; arguments as in ``views.pictures``."""
+    """Return the point cloud seen by the cameras of ``config``; see also ``views.pictures``."""
     labels, points, ids = geom_labels(world, order), [], []
     low, high = np.array(WORKSPACE)
     low[2] = max(low[2], world.scene.table.height + ABOVE - world.base_position[2])
@@ -75,7 +75,7 @@ def unproject(camera: Camera, depth: Float[np.ndarray, "h w"]) -> Float[np.ndarr
 def _fit(
     points: Float[np.ndarray, "m 3"], ids: Shaped[np.ndarray, "m"], count: int
 ) -> dict[str, Shaped[np.ndarray, "n *_c"]]:
-    """Return evenly spaced points, padded to ``count``."""
+    """Return ``count`` of the points, evenly spaced in their order, or all points with padding."""
     kept = np.arange(len(points))
     if len(points) > count:
         kept = np.arange(count) * len(points) // count

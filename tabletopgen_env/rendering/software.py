@@ -35,7 +35,7 @@ _VISIBLE_GROUPS = 3  # geom groups 0, 1 and 2 are drawn, as MuJoCo does
 
 @dataclass(frozen=True, eq=False)
 class VisibleGeom:
-    """A visible geom: a triangle mesh in its own frame, uv, and a texture tinted by ``tint``."""
+    """A visible geom: a local triangle mesh, uv coordinates, and a texture tinted by ``tint``."""
 
     geom: int
     vertices: Float[np.ndarray, "n 3"]
@@ -84,7 +84,7 @@ class SoftwareDrawer(Drawer):
 
 
 def _paint(model: mujoco.MjModel, shape: VisibleGeom) -> VisibleGeom:
-    """Return the shape in its geom's current colour."""
+    """Return a shape with its texture in the current colour of the geom."""
     tint = _color(model, shape.geom)[:3]
     if np.array_equal(tint, shape.tint):
         return shape
@@ -92,7 +92,7 @@ def _paint(model: mujoco.MjModel, shape: VisibleGeom) -> VisibleGeom:
 
 
 def _light(model: mujoco.MjModel) -> Light:
-    """Return the first sun, with ambient light and headlight combined as light from the sky."""
+    """Return a model's light: the first sun, and sky light from ambient light and headlight."""
     from generator.render.shading import Light
 
     head, sun = model.vis.headlight, model.light_diffuse[0]
@@ -199,7 +199,7 @@ def _color(model: mujoco.MjModel, k: int) -> Float[np.ndarray, "4"]:
 
 
 def _texture(model: mujoco.MjModel, k: int) -> UInt8[np.ndarray, "th tw 3"]:
-    """Return the 2D texture of geom ``k`` times its colour, or a single pixel if it has none."""
+    """Return the 2D texture of geom ``k`` times its colour, or one pixel if it has no texture."""
     import mujoco
 
     tint, material = _color(model, k)[:3], model.geom_matid[k]

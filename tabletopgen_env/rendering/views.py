@@ -108,7 +108,7 @@ def pictures(
     order: Sequence[str],
     target: str | None,
 ) -> dict[str, Shaped[np.ndarray, "..."]]:
-    """Return the pictures of ``config`` by key, with objects in the ``order`` of the slots.
+    """Return the pictures that ``config`` selects by key; ``order`` lists the objects in the slots.
 
     ``target`` is the object to mark, None for none.
     """

@@ -45,7 +45,7 @@ for _constant in (LOWER, UPPER, HOME, LOWEST, HIGHEST):
 
 @dataclass(frozen=True, eq=False)
 class IkSolution:
-    """Joints from ``solve_ik``, and the remaining errors in metres and radians."""
+    """The joints found by ``solve_ik``, and the remaining errors in metres and radians."""
 
     joints: Float[np.ndarray, "7"]
     position_error: float
@@ -150,7 +150,7 @@ def _turn_back(
     rest: Float[np.ndarray, "7"],
     damping: float,
 ) -> Float[np.ndarray, "7"]:
-    """Return joints within their ranges, to replace ``new``, which violates some of the ranges."""
+    """Return a replacement for the joints ``new`` that stays within all joint ranges."""
     # Joints out of their range, such as a straight elbow, return by at most one step.
     lowest = np.minimum(LOWEST, joints + MAX_STEP)
     highest = np.maximum(HIGHEST, joints - MAX_STEP)

@@ -62,7 +62,7 @@ def _folder() -> Path:
 
 
 def _cache() -> Path:
-    """Return the model folder of the mujoco-menagerie package on this platform."""
+    """Return the folder in which the mujoco-menagerie package stores models on this platform."""
     if folder := os.environ.get("MENAGERIE_CACHE_DIR"):
         return Path(folder)
     if sys.platform == "win32":

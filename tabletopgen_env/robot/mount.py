@@ -212,7 +212,7 @@ def _obstacle(
 def _score(
     mount: Mount, spots: Float[np.ndarray, "n 3"], boxes: Sequence[_Box], rising: Sequence[_Box]
 ) -> float:
-    """Score a mount by the reached objects and table area, the clearance and the viewer's side."""
+    """Return a mount's score for objects and table area in reach, clearance, and table side."""
     covered = float(mount.reaches(spots).mean())
     reached = crowded = 0.0
     if boxes:

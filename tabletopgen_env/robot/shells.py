@@ -234,7 +234,7 @@ def join(
 
 
 def arm_points() -> Float[np.ndarray, "n 3"]:
-    """Return the tool centre point and points on the links at home, in the base frame.
+    """Return the tool centre point and points on all links in the home pose, in the base frame.
 
     A camera that shows all of them shows the whole robot.
     """

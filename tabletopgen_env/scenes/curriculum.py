@@ -89,7 +89,7 @@ class CurriculumScenes:
             self.sampler.record(self.sampler.bins(ref.difficulty), success)
 
     def admitting(self, rule: SplitRule) -> CurriculumScenes:
-        """Return a curriculum over the scenes that a rule admits, with empty success rates."""
+        """Return a new curriculum, without results, over the scenes that a rule admits."""
         new = dataclasses.replace(self.sampler)
         return dataclasses.replace(self, source=admitting(self._source, rule), sampler=new)
 
@@ -115,7 +115,7 @@ class CurriculumScenes:
 
 @dataclass(eq=False)
 class _Made:
-    """A scene that is generated only once."""
+    """A loader that generates its scene only once."""
 
     make: Callable[[], Scene]
     scene: Scene | None = None

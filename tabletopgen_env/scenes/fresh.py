@@ -20,7 +20,7 @@ DRAWS = 1000
 
 @dataclass(frozen=True)
 class FreshScenes:
-    """A source that generates a table per draw, from a random prompt and seed or a drawn plan.
+    """A source that generates a table for each draw, from one of its prompts or a random plan.
 
     Attributes:
         prompts: a prompt, a list of prompts, or a distribution of tables.
@@ -67,7 +67,7 @@ class FreshScenes:
                     recipe.plan()
 
     def recipe(self, rng: np.random.Generator) -> SceneRecipe:
-        """Draw the recipe of a scene; ``draw`` returns a reference to it."""
+        """Draw the recipe of a scene; ``draw`` returns a reference to the scene."""
         for _ in range(DRAWS):
             what = self.prompts
             if not isinstance(what, SceneDistribution):

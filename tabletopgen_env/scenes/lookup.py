@@ -54,7 +54,7 @@ def fixed_scenes(scenes: FixedChoice) -> FixedScenes:
 
 
 def on_demand(scenes: object) -> bool:
-    """Return whether ``scenes`` is a form of ``FRESH`` or ``REFRESHING``, generated on demand.
+    """Return whether ``scenes`` stands for generated (``FRESH`` or ``REFRESHING``) scenes.
 
     A curriculum of such scenes counts as well; so does ``CURRICULUM`` alone.
     """
@@ -64,7 +64,7 @@ def on_demand(scenes: object) -> bool:
 
 
 def graded_of(scenes: str) -> str | None:
-    """Return the scenes that a form of ``CURRICULUM`` refers to, or None for other forms.
+    """Return the part of a ``CURRICULUM`` string that names its scenes, or None for other strings.
 
     Raises:
         InputError: nothing follows the colon, or another curriculum follows it.
@@ -84,7 +84,7 @@ def graded_of(scenes: str) -> str | None:
 
 
 def _find(item: str | Path | Scene) -> list[SceneRef]:
-    """Return the references of one item, in a fixed order."""
+    """Return references to the scenes that one item identifies, in a fixed order."""
     if isinstance(item, Scene):
         return [HeldRef(item)]
     if not isinstance(item, str | Path):

@@ -1,4 +1,4 @@
-"""Sampling of difficulties by learning potential, which is highest where some episodes succeed.
+"""Sampling of difficulties by learning potential, which is highest where half the episodes succeed.
 
 It uses arrays only, so that any program that runs many episodes can use it: ``CurriculumScenes``
 draws one scene at a time, and a batched environment draws the bins of all its episodes together.
@@ -70,7 +70,7 @@ class DifficultySampler:
         return np.asarray(found)
 
     def probabilities(self, amounts: Real[np.ndarray, "b"] | None = None) -> Float[np.ndarray, "b"]:
-        """Return the probability of each bin, given the number of items in each (None: equal)."""
+        """Return each bin's probability, given the number of items per bin (equal by default)."""
         held = np.ones(len(self.counts)) if amounts is None else np.asarray(amounts, float)
         potential = held * self.rates * (1 - self.rates)
         return self.explore * held / held.sum() + (1 - self.explore) * potential / potential.sum()

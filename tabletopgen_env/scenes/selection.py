@@ -1,4 +1,4 @@
-"""The forms of ``scenes`` that users can pass, and the sources they refer to."""
+"""Conversion of the values that users pass as ``scenes`` to scene sources."""
 
 from __future__ import annotations
 
@@ -90,7 +90,7 @@ def split(
 
 
 def _make(text: str, needs: Needs, start: SceneChoice) -> SceneSource:
-    """Create the source that a form of ``FRESH`` or ``REFRESHING`` refers to."""
+    """Create the source for a ``FRESH`` or ``REFRESHING`` string, with its prompt if it has one."""
     head, colon, prompt = text.partition(":")
     if colon and not prompt.strip():
         raise InputError(

@@ -29,7 +29,7 @@ class SceneRef:
     difficulty: float | None = None
 
     def rate(self, difficulty: float) -> SceneRef:
-        """Return the reference with the scene's difficulty."""
+        """Return a copy of the reference that stores the scene's difficulty."""
         return replace(self, difficulty=difficulty)
 
 
@@ -40,7 +40,7 @@ class HeldRef(SceneRef):
         super().__init__(f"scene:{id(scene)}", lambda: scene, difficulty)
 
     def rate(self, difficulty: float) -> HeldRef:
-        """Return the reference with the scene's difficulty."""
+        """Return a new reference to the scene that stores its difficulty."""
         return HeldRef(self.load(), difficulty)
 
     def __reduce__(self) -> tuple[type[HeldRef], tuple[Scene, float | None]]:
@@ -48,7 +48,7 @@ class HeldRef(SceneRef):
 
 
 class Remembered(Generic[T]):
-    """A cache of facts about some ten thousand scenes; copies are empty at first.
+    """A cache of facts about some ten thousand scenes; a copied cache is empty at first.
 
     Facts about a scene in memory live as long as the scene, since its key can be reused afterwards.
     """

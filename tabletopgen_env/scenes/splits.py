@@ -76,7 +76,7 @@ class SplitRule:
         object.__setattr__(self, "categories", tuple(sorted({_key(c) for c in self.categories})))
 
     def admits(self, identity: Callable[[], str], kinds: Callable[[], frozenset[str]]) -> bool:
-        """Return whether a scene is in this subset; only the relevant argument is evaluated.
+        """Return whether a scene is in this subset; only the necessary argument is called.
 
         Args:
             identity: returns the identity of the scene, the same in every process.
@@ -138,7 +138,7 @@ def scene_kinds(scene: Scene) -> frozenset[str]:
 
 
 def kinds_of(objects: Iterable[tuple[str, str]]) -> frozenset[str]:
-    """Return the categories and labels, written as keys, of objects given as pairs of both."""
+    """Return the categories and labels, as keys, of objects given as (category, label) pairs."""
     words = {_key(word) for pair in objects for word in pair}
     return frozenset(words - {"generic"})
 

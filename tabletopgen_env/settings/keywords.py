@@ -130,7 +130,7 @@ def check_settings(given: Iterable[str], *more: str) -> None:
 
 
 def _read_group(group: str, rest: dict[str, Any]) -> Any:
-    """Remove the keywords of a group from ``rest``; return the group."""
+    """Remove the keywords of a settings group from ``rest``; return the group that they set."""
     kind, names = GROUPS[group], keywords_of(group)
     whole = rest.pop(group) if isinstance(rest.get(group), kind | Mapping) else None
     flat = {name: rest.pop(name) for name in names if name in rest}

@@ -35,14 +35,14 @@ Reasons = dict[str, str | None]
 
 
 def liftable(world: World) -> Reasons:
-    """Return why each object cannot be picked up, or None if it can; grasps are not planned."""
+    """Return why each object cannot be picked up (None if it can), without planning grasps."""
     return {
         o.name: world.ungraspable[o.name] or blocking_reason(world, o) for o in world.scene.objects
     }
 
 
 def blocking_reason(world: World, obj: Object) -> str | None:
-    """Return why the hand cannot access an object or move it alone, or None if it can."""
+    """Return why the hand cannot reach an object or move it separately, or None if it can."""
     if not reachable(world.mount, obj.pose.position):
         return "out of the robot's reach"
     if (between := obstacle(world.scene, world.mount, obj.name)) is not None:
@@ -121,7 +121,7 @@ def rest_height(world: World, name: str) -> float:
 def spot_of(
     world: World, obj: Object, goal: Choice, rng: np.random.Generator
 ) -> Float[np.ndarray, "3"] | None:
-    """Return the table spot in ``goal``, or a random free spot, in the world frame.
+    """Return the spot on the table that ``goal`` gives, or a random free spot, in the world frame.
 
     At a random spot the arm can place the object with its planned grasp.
     """
@@ -137,7 +137,7 @@ def spot_of(
 def _is_brought_to(
     world: World, obj: Object, plan: GraspPlan, point: Float[np.ndarray, "2"]
 ) -> bool:
-    """Return whether the arm can place ``obj``, held as in ``plan``, on a point at some yaw."""
+    """Return whether the arm can place ``obj``, grasped as in ``plan``, on a point at some yaw."""
     center = np.array([*point, world.scene.table.height + rest_height(world, obj.name)])
     held = plan.grasp.point - world.position(obj.name)
     return any(
@@ -148,7 +148,7 @@ def _is_brought_to(
 
 
 def coordinates(goal: object, count: int, wanted: str) -> Float[np.ndarray, "c"]:
-    """Return ``count`` finite numbers from a user; ``wanted`` describes them in the error.
+    """Convert a user's value to ``count`` finite numbers; ``wanted`` describes them in the error.
 
     Raises:
         InputError: the value is anything else.
@@ -163,7 +163,7 @@ def coordinates(goal: object, count: int, wanted: str) -> Float[np.ndarray, "c"]
 
 
 def given_point(world: World, goal: Iterable[float]) -> Float[np.ndarray, "2"]:
-    """Return a point on the table from a user.
+    """Convert a user's value to a point (x, y), which must be on the table.
 
     Raises:
         InputError: the value is not a pair of finite numbers, or not on the table.
@@ -213,7 +213,7 @@ def in_stead(world: World, obj: Object, other: Object) -> OnSpot:
 
 
 def given_object(world: World, goal: Choice, use: str, wanted: str) -> str | None:
-    """Return the object that a goal option names, or None without the option.
+    """Return the object that a goal option names, or None if the option is not set.
 
     ``use`` completes the error for unknown objects ("to put objects on"), ``wanted`` the one for
     other values ("Stack must be an object's name").

@@ -106,7 +106,7 @@ def tips(obj: Object) -> bool:
 
 
 def _end(world: World, obj: Object, rng: np.random.Generator) -> Float[np.ndarray, "2"] | None:
-    """Draw the end of a push whose path is free of objects, with room for the hand at its start."""
+    """Draw the end of a free push path with room for the hand at its start, or return None."""
     begin, table = obj.pose.position[:2], world.scene.table
     outline, others = world.footprints[obj.name], beside(world, obj.name)
     radius = float(np.linalg.norm(outline - begin, axis=1).max())

@@ -63,7 +63,7 @@ class Step:
 
 @dataclass(frozen=True)
 class Preset:
-    """A sentence, its steps, its bundles (a glob) and the requirements on generated tables."""
+    """A task preset: a sentence, its steps, a glob of bundles, and requirements on new tables."""
 
     instruction: str
     scenes: str
@@ -155,7 +155,7 @@ class Sequence(Task):
 
 
 def _resolve_label(world: World, label: str) -> Object:
-    """Return the object for a label of the preset."""
+    """Return the object whose label or category matches a label of the preset."""
     category = label.replace(" ", "_")
     for obj in world.scene.objects:
         if label == obj.label or category == obj.model.category:
@@ -167,7 +167,7 @@ def _resolve_label(world: World, label: str) -> Object:
 
 
 def _movable(world: World, label: str, broad: bool = False) -> Object:
-    """Return the movable object for a label; ``broad`` skips the check of its width."""
+    """Return the object with a label, which must be movable; ``broad`` skips the width check."""
     obj = _resolve_label(world, label)
     reason = blocking_reason(world, obj) if broad else liftable(world)[obj.name]
     if reason is None and not has_grasp(world, obj.name):
@@ -211,7 +211,7 @@ def _draw(world: World, rng: np.random.Generator, count: int) -> Episode:
 def _step(
     world: World, obj: Object, rng: np.random.Generator, busy: set[str], before: list[Goal]
 ) -> Goal | None:
-    """Return a goal for ``obj`` away from ``busy`` objects and the spots of ``before``, or None."""
+    """Return a goal for ``obj`` that avoids ``busy`` objects and spots of ``before``, or None."""
     hollow = [c for c in containers(world, obj) if c.name not in busy]
     flat = [s for s in supports(world, obj) if s.name not in busy]
     ways: list[Goal] = []

@@ -1,4 +1,4 @@
-"""Swap: exchange the positions of two objects, as with the paper's cup and apple (Sec. 11).
+"""Swap: exchange the positions of two objects, such as the cup and apple in Sec. 11 of the paper.
 
 There are three goals, shown in order: the second object aside on a marked free spot, the first
 object at the start position of the second, and the second at the start position of the first. The

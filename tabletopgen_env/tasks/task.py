@@ -1,4 +1,4 @@
-"""The base of all tasks: ordered goals, goal vectors, named reward terms, and exact success.
+"""The base of all tasks: ordered goals, goal vectors, named reward terms, and a test of success.
 
 An episode is a tuple of goals. The *active* goal is the first unmet one; the state shows its target
 and region. A task has *succeeded* while all its goals are met at once.
@@ -83,7 +83,7 @@ class Episode:
 
 @dataclass(frozen=True)
 class Gap:
-    """The remaining distance of a goal.
+    """The remaining distance between a goal's target and its region.
 
     across, up: horizontal and vertical distance of the target from its region, metres; met: whether
     the goal is met.
@@ -123,7 +123,7 @@ class Task(ABC):
     def sample(
         self, world: World, rng: np.random.Generator, target: str | None = None, goal: Choice = None
     ) -> Episode:
-        """Draw an episode of a world at its start, or use the given target and goal.
+        """Draw an episode for a world at its start, with the given target and goal, if any.
 
         ``target`` is the name of an object; the valid values of ``goal`` depend on the task.
 
@@ -203,7 +203,7 @@ class Task(ABC):
         return {name: (met + value) / count for name, value in hand.items()} | shared
 
     def _hand(self, world: World, goal: Goal, start: float, gap: Gap) -> dict[str, float]:
-        """Return reach, grasp and lift of an active goal, given its target's ``start`` height."""
+        """Return the reach, grasp and lift terms of an active goal, given its ``start`` height."""
         if goal.target is None or (goal.released and gap.across <= 0 and gap.up <= 0):
             return dict.fromkeys(_HAND, 1.0)
         at = world.state.positions[world.index(goal.target)]

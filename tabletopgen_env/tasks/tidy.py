@@ -69,7 +69,7 @@ class Tidy(Task):
 
 
 def _together(world: World, container: Object, things: list[Object]) -> list[Object]:
-    """Return which objects fit into a container together, starting with the nearest."""
+    """Return objects that fit into a container together, chosen in order of distance."""
     hollow = world.openings[container.name]
     assert hollow is not None
     room = FULL * np.pi * float(hollow.semi.prod())
@@ -86,7 +86,7 @@ def _together(world: World, container: Object, things: list[Object]) -> list[Obj
 
 
 def _has_room(hollow: Opening, first: Object, second: Object) -> bool:
-    """Return whether ``second`` fits beside a centred ``first``, or on top of it."""
+    """Return whether ``second`` fits into a container on top of, or beside, a centred ``first``."""
     on_top = resting_height(first) + INSIDE <= hollow.depth
     beside = grasp_width(first) / 2 + grasp_width(second)
     return on_top or beside <= float(hollow.semi.min())

@@ -61,7 +61,7 @@ KEYS = frozenset({*_KEYS, *_EVENT_KEYS, _GRIP_KEY, _SLOW_KEY})
 
 @dataclass(frozen=True)
 class HumanInput:
-    """The current input.
+    """The current keyboard and gamepad input of the operator.
 
     Attributes:
         keys: pressed keys, a subset of ``KEYS``.
@@ -119,7 +119,7 @@ class Operator:
 
 
 def _motion(given: HumanInput) -> Float[np.ndarray, "4"]:
-    """Return the entries right, away, up and turn in [-1, 1]."""
+    """Return the motion to the right, away and upwards, and the turn, each in [-1, 1]."""
     found = np.zeros(4)
     for key in given.keys & _KEYS.keys():
         entry, sign = _KEYS[key]

@@ -118,7 +118,7 @@ class TeleopPage:
     # ------------------------------------------------------------------------------------ serving
 
     def _answer(self, connection: ServerConnection, request: Request) -> Response | None:
-        """Serve the page, reject other requests, and accept the page's own connection."""
+        """Answer a request: serve the page, accept its own connection, or reject the request."""
         own = {f"{HOST}:{self.port}", f"localhost:{self.port}"}
         asked = urlsplit(request.path)
         token = parse_qs(asked.query).get("token", [""])[0]

@@ -44,7 +44,7 @@ class TeleopStatus:
 
 @dataclass(frozen=True, eq=False)
 class TeleopEpisode:
-    """Observations, states, actions and infos of an episode; ``by_human`` has a row per action."""
+    """The data of an episode; ``by_human`` has an entry per action: whether a person chose it."""
 
     seed: int
     observations: list[Any]
@@ -58,7 +58,7 @@ class TeleopEpisode:
 
 
 class TeleopSession:
-    """A player of "ee_delta" episodes from an operator's input.
+    """A player that drives "ee_delta" episodes with an operator's input.
 
     The policy, if any, acts until the person moves the arm or the gripper; then the person acts
     until the event "policy".
@@ -128,7 +128,7 @@ class TeleopSession:
         return None
 
     def _step(self, asked: np.ndarray) -> None:
-        """Apply the action of the person, or of the policy."""
+        """Step the environment with the person's action, or with the policy's."""
         episode, action = self._current(), asked
         if self._by == "policy":
             assert self._player is not None

@@ -171,7 +171,7 @@ class World:
         self.base_position = np.asarray(mount.position, float)
 
     def rearrange(self, scene: Scene) -> None:
-        """Adopt the poses of the same objects in ``scene`` as the start state of ``reset``."""
+        """Use the poses in ``scene``, which has the same objects, as the start of ``reset``."""
         self.scene = scene
         self._start = self._start_qpos()
         self._known = self._known_of_given if scene is self._given else {}
@@ -239,7 +239,7 @@ class World:
 
     @cached_property
     def half_top(self) -> Float[np.ndarray, "2"]:
-        """Half the extents of the tabletop's outline in metres, the larger one first."""
+        """The half extents of the tabletop's outline in metres, with the larger one first."""
         half = np.ptp(self.scene.table.outline, axis=0) / 2
         return np.array([half.max(), half.min()])
 
@@ -357,7 +357,7 @@ class World:
 
     @property
     def hand(self) -> Float[np.ndarray, "3 3"]:
-        """The rotation of the hand (of the tool centre point's site) in the base frame."""
+        """The rotation of the hand, measured at the tool centre point's site, in the base frame."""
         return self.base_rotation.T @ self.state.hand
 
     def to_base(self, points: Float[np.ndarray, "*n 3"]) -> Float[np.ndarray, "*n 3"]:
@@ -383,7 +383,7 @@ class World:
 
 @cache
 def _count(steps: int) -> Float[np.ndarray, "steps 1"]:
-    """Return the numbers of ``steps`` steps, starting at 1, as a column."""
+    """Return the numbers from 1 to ``steps`` as a column."""
     column = np.arange(1.0, steps + 1.0)[:, None]
     column.setflags(write=False)
     return column

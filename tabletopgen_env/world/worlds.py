@@ -54,14 +54,14 @@ def _world(ref: SceneRef, robot: Panda) -> World:
 
 @dataclass(eq=False)
 class _Master:
-    """A compiled world that is only copied, never stepped; None before it is compiled."""
+    """A world to be copied but never stepped; ``world`` is None until it is compiled."""
 
     lock: threading.Lock = field(default_factory=threading.Lock)
     world: World | None = None
 
 
 class Masters:
-    """The ``size`` most recently used scenes, compiled once with ``robot``, to be copied.
+    """A cache of the ``size`` last used scenes, compiled once with ``robot`` and then copied.
 
     The methods are thread-safe. Each copy has its own model, since environments write to it.
     """

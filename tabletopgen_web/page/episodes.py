@@ -40,7 +40,7 @@ class RecordedPlay:
         return (len(self.rows) - 1) / CONTROL_HZ
 
     def to_bytes(self) -> bytes:
-        """Return the file content: header length (uint32, little-endian), header, rows."""
+        """Return the content of a file: header length (little-endian uint32), header, and rows."""
         header = {
             "task": self.task,
             "instruction": self.instruction,

@@ -123,7 +123,7 @@ def read_row(path: Path) -> SceneRow:
 
 
 def read_whole_row(path: Path) -> tuple[SceneRow, Scene | None]:
-    """Return a bundle's row with difficulty and certificate, and its scene, all validated.
+    """Return a bundle's row, with its difficulty and certificate, and its scene, all validated.
 
     The scene is None if the row has an ``error``.
     """

@@ -53,7 +53,7 @@ _EPOCH = (1980, 1, 1, 0, 0, 0)  # time of all files in an archive
 
 @dataclass(frozen=True, eq=False)
 class SceneFolder:
-    """The files of a scene's folder by relative path, and its gallery entry."""
+    """The files in the folder of a scene by relative path, and the scene's gallery entry."""
 
     row: SceneRow
     files: Mapping[str, bytes]
@@ -115,7 +115,7 @@ def _robot(
     shown: Mapping[str, str],
     report: Callable[[str], None],
 ) -> tuple[dict[str, Any] | None, list[dict[str, object]]]:
-    """Add the scene with the arm, and episodes; return their entry in ``view.json``."""
+    """Add files of the scene with the arm and of episodes; return entries of ``view.json``."""
     try:
         files["arm/scene.xml"] = robot_document(scene, frozenset(shown)).encode()
     except SceneError:  # no mount for the arm: show the scene without it
@@ -149,7 +149,7 @@ def _downloads(
     files: dict[str, bytes],
     report: Callable[[str], None],
 ) -> list[dict[str, Any]]:
-    """Add the bundle and each export as a file to download; return their entry in ``view.json``."""
+    """Add the bundle and each export as downloads; return their entries in ``view.json``."""
     made = {f"{name}.zip": ("Bundle (MJCF)", archive(name, held))}
     for kind in formats:
         report(kind)
@@ -179,7 +179,7 @@ def archive(folder: str, files: Mapping[str, bytes]) -> bytes:
 
 
 def _picture(held: Mapping[str, bytes]) -> dict[str, Any] | None:
-    """Return the entry in ``view.json`` of the picture from the scene's camera."""
+    """Return the ``view.json`` entry of the picture taken by the scene's camera, or None."""
     from generator.bundle.contents import picture_size
 
     for kind in _PICTURES:

@@ -20,7 +20,7 @@ ScenePlace = Literal["workspace", "store", "shipped"]
 
 @dataclass(frozen=True)
 class StageRow:
-    """The current stage of a job: its name, its number from 1, and the total."""
+    """The current stage of a job: its name, its number from 1, and the total number of stages."""
 
     name: str
     number: int
@@ -98,7 +98,7 @@ class JobEvent:
 
 @dataclass(frozen=True)
 class StudioScene(SceneRow):
-    """A scene in the list: its gallery entry, and more facts about it.
+    """A scene in the studio's list: its gallery entry and further properties.
 
     ``place`` (``in`` in JSON) is the location of its bundle, ``saved`` whether the user's store
     also has it; ``digest`` is the end of its name; ``parent`` is the scene from which it was
@@ -159,7 +159,7 @@ class Explanation:
 
 @dataclass(frozen=True)
 class RoleRow:
-    """The backend of a role, and the settings that affect its answers."""
+    """The backend that performs a role, and the settings that affect its answers."""
 
     role: str
     backend: str
@@ -181,7 +181,7 @@ class EstimateRow:
 
 @dataclass(frozen=True)
 class BackendRow:
-    """A backend: its roles, requirements, missing requirements, and whether calls cost money."""
+    """A backend: its roles, what it requires and lacks, and whether its calls cost money."""
 
     name: str
     roles: tuple[str, ...]

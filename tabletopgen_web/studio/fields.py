@@ -15,7 +15,7 @@ _LARGE = 10**15  # larger numbers overflow to infinity in messages
 
 
 class Fields:
-    """A validating reader of an object's fields; ``end`` rejects fields that were not read.
+    """A validating reader of a JSON object's fields; ``end`` rejects fields that were not read.
 
     Raises:
         InputError: raised by each method if a value has another type or is out of range; the

@@ -132,7 +132,7 @@ class StudioFolder:
         write_whole(self.root / _WHO, facts, _ADDRESS, "Free disk space.")
 
     def make_token(self, study: str) -> str:
-        """Return the token of a study's raters, which is constant for the lifetime of the folder.
+        """Return the token for a study's raters, which stays the same as long as the folder exists.
 
         It persists when the studio stops, so addresses sent to raters remain valid.
 

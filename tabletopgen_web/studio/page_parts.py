@@ -1,4 +1,4 @@
-"""Functions from the ``page`` package: a scene prepared for the viewer, and an episode."""
+"""Wrappers of the ``page`` package that prepare a scene for the viewer and record an episode."""
 
 from __future__ import annotations
 

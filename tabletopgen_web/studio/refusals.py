@@ -1,4 +1,4 @@
-"""Refused requests with specific HTTP statuses; other errors map to statuses by type."""
+"""Refused requests with specific HTTP statuses, and the statuses of other errors by type."""
 
 from __future__ import annotations
 

@@ -207,7 +207,7 @@ def _read_name(fields: Fields) -> str | None:
 
 
 def _read_paid(fields: Fields, always: bool) -> Paid:
-    """Read the backends; with ``always``, default to the embedded ones."""
+    """Read the backends and the cost limit; with ``always``, default to the embedded backend."""
     from generator.backends.select import check_names
 
     names = {name: fields.optional_choice(name, TABLE) for name in ("backend", *PROTOCOLS)}

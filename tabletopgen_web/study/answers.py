@@ -99,7 +99,7 @@ def read_all(paths: Sequence[Path], key: StudyKey) -> tuple[list[RaterAnswers], 
 
 
 def parse_answers(raw: bytes, key: StudyKey) -> RaterAnswers:
-    """Return one rater's complete answers to this study.
+    """Parse and validate one rater's complete answers to the study of ``key``.
 
     Raises:
         InputError: the answers are invalid; the message gives the reason.

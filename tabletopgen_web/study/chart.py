@@ -83,7 +83,7 @@ def _draw_shares(axes: Axes, report: StudyReport) -> None:
 
 
 def _errors(means: Sequence[float], intervals: Sequence[Interval | None]) -> np.ndarray | None:
-    """Return the lower and upper extents of intervals in 2 rows, or None without intervals."""
+    """Return the extents of intervals below and above the means in 2 rows, or None if missing."""
     if any(one is None for one in intervals):
         return None
     bounds = np.array([one for one in intervals if one is not None]).T

@@ -47,7 +47,7 @@ class RatedScene:
 
 @dataclass(frozen=True, eq=False)
 class _Input:
-    """An input picture: a file, or the one in a bundle."""
+    """An input picture, either a file or part of a bundle."""
 
     stem: str
     digest: str
@@ -64,7 +64,7 @@ class _Input:
 def collect(
     folders: Mapping[str, Path], inputs: Path | None, drawing: Drawing
 ) -> tuple[list[RatedScene], list[str]]:
-    """Return the scenes for which all methods have results, and the ignored entries.
+    """Return the scenes for which all methods have results, and the paths that were ignored.
 
     A scene is one input picture. A bundle is matched to its input picture by the pixels; a plain
     picture, or a bundle without an input picture, by the stem. The input pictures come from
@@ -97,7 +97,7 @@ def collect(
 
 
 def _rename(inputs: Sequence[_Input]) -> list[_Input]:
-    """Return the inputs with distinct names, since bundles of different pictures may share one."""
+    """Return inputs with distinct names, since bundles of different pictures may share a name."""
     stems = [one.stem for one in inputs]
     return [
         one if stems.count(one.stem) == 1 else replace(one, stem=f"{one.stem}-{one.digest[:6]}")
@@ -106,7 +106,7 @@ def _rename(inputs: Sequence[_Input]) -> list[_Input]:
 
 
 def _find(folder: Path, ignored: list[str]) -> list[FoundResult]:
-    """Return the results in a folder or of a bundle; add other entries to ``ignored``."""
+    """Return the results in a folder, which may be a bundle; add other paths to ``ignored``."""
     if (folder / "scene.json").is_file():
         return [_read_bundle(folder)]
     results = []
@@ -229,7 +229,7 @@ def _draw(
 
 
 def _views(result: FoundResult, drawing: Drawing) -> Iterator[UInt8[np.ndarray, "h w 3"]]:
-    """Yield the picture of a result from its reference's camera and, optionally, from above."""
+    """Yield a result's picture from the input picture's camera and, optionally, one from above."""
     if not result.bundle:
         yield read_picture(result.path)
         if drawing.above:

@@ -86,7 +86,7 @@ class StudyOptions:
 
 @dataclass(frozen=True)
 class Drawing:
-    """Display of results; ``side`` bounds the longer side of a picture, in pixels.
+    """Settings for displaying results; ``side`` limits the longer side of pictures, in pixels.
 
     Attributes:
         above: Also show each result from above; plain pictures need SCENE.above.png.
@@ -102,7 +102,7 @@ class Drawing:
 
 
 def is_post_path(path: str) -> bool:
-    """Return whether a path is absolute and stays on its own server."""
+    """Return whether a URL path is absolute and cannot refer to another server."""
     return len(path) <= 200 and bool(_POST.fullmatch(path)) and not {".", ".."} & {*path.split("/")}
 
 

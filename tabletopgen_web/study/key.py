@@ -33,7 +33,7 @@ class KeyScene:
 
 @dataclass(frozen=True)
 class StudyKey:
-    """The private key of a study; ``scenes`` are keyed by code."""
+    """The private key of a study; ``scenes`` maps the codes of scenes to their data."""
 
     study: str
     title: str

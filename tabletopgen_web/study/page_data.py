@@ -74,7 +74,7 @@ def read_template() -> str:
 
 
 def fill(template: str, facts: Mapping[str, Any]) -> str:
-    """Insert a study's data into the built page, with a policy that allows only that page's code.
+    """Insert a study's data, and a security policy that allows only its code, into the built page.
 
     Raises:
         InputError: the built page has no placeholder, or the result is too large.
@@ -96,7 +96,7 @@ def fill(template: str, facts: Mapping[str, Any]) -> str:
 
 
 def read_page(path: Path, template: str, post: str) -> StudyPage:
-    """Read a page that ``study new`` created from ``template``, posting to the path ``post``.
+    """Read a page that ``study new`` created from ``template`` and that sends answers to ``post``.
 
     ``{study}`` in the path stands for the study's id.
 
@@ -146,7 +146,7 @@ def _policy(template: str, *, posts: bool) -> str:
 
 
 def _hashes(element: re.Pattern[str], template: str) -> str:
-    """Return the policy sources that allow the inline elements of the built page."""
+    """Return the security policy's sources that allow the inline elements of the built page."""
     digests = [hashlib.sha256(text.encode()).digest() for text in element.findall(template)]
     return " ".join(f"'sha256-{base64.b64encode(d).decode()}'" for d in digests) or "'none'"
 

@@ -27,7 +27,7 @@ Interval = tuple[float, float]
 
 @dataclass(frozen=True)
 class CountedMean:
-    """A mean and its 95 % interval, or None for fewer than two raters."""
+    """A mean and its 95 % confidence interval, which is None for fewer than two raters."""
 
     mean: float
     interval: Interval | None
@@ -35,7 +35,7 @@ class CountedMean:
 
 @dataclass(frozen=True)
 class MethodFigures:
-    """Figures of a method.
+    """The mean ratings of a method, and how often it was chosen.
 
     ``means`` has a mean per entry of ``CRITERIA``, and ``average`` is the mean of the first three,
     as in Table 2. ``chosen`` is how often this method was chosen, ``share`` that number as a share
@@ -84,7 +84,7 @@ class Exclusions:
 
 @dataclass(frozen=True)
 class StudyReport:
-    """The figures of a study, in which ``raters`` of the ``read`` raters are counted."""
+    """The results of a study; ``raters`` is the number of counted raters out of ``read``."""
 
     study: str
     title: str
@@ -156,7 +156,7 @@ def measure(
 
 
 def _resample(raters: int, seed: int) -> Int[np.ndarray, "b r"]:
-    """Return the count of each rater in each bootstrap sample."""
+    """Return how often each rater occurs in each bootstrap sample."""
     rng = np.random.default_rng(seed)
     picked = np.empty((RESAMPLES, raters), np.int16)
     for row in picked:
@@ -167,7 +167,7 @@ def _resample(raters: int, seed: int) -> Int[np.ndarray, "b r"]:
 def _mean(
     sums: Sequence[float], counts: Sequence[float], drawn: Int[np.ndarray, "b r"]
 ) -> CountedMean:
-    """Return the mean of all values, given each rater's ``sums`` and ``counts`` of values."""
+    """Return the mean of all values and its interval, given raters' ``sums`` and ``counts``."""
     total, count = np.array(sums, float), np.array(counts, float)
     mean = float(total.sum() / count.sum())
     if len(sums) < 2:
@@ -212,7 +212,7 @@ def _pair(
 
 
 def _agreement(kept: Sequence[RaterAnswers], key: StudyKey) -> dict[str, float | None]:
-    """Return alpha of each criterion (ordinal, per result) and of the choice (nominal)."""
+    """Return Krippendorff's alpha of each criterion (ordinal) and of the choice (nominal)."""
     marks: dict[tuple[str, str], list[tuple[int, ...]]] = defaultdict(list)
     chosen: dict[str, list[int]] = defaultdict(list)
     for scene in (s for a in kept for s in a.scenes):

@@ -45,7 +45,7 @@ _EARLIER = "\n\nAn earlier drawing was wrong: "
 
 @dataclass(frozen=True)
 class CloudImager:
-    """An imager for the three picture questions, with an image model checked by a chat model.
+    """An imager that uses an image model, and a chat model to check the top views.
 
     Attributes:
         base_url: the image server; see ``drawing`` for the supported forms.
@@ -93,7 +93,7 @@ class CloudImager:
 
     @property
     def painter(self) -> Painter:
-        """The image model with its server and form."""
+        """The image model with its server and request format."""
         form: Form = "seedream" if self.form == "seedream" else "openai"
         server = Server(self.base_url, self.model, "image", self.session)
         return Painter(server, form, self.tolerated)
@@ -160,7 +160,7 @@ class CloudImager:
         rotations: Mapping[str, Rotation],
         view: View,
     ) -> TopView:
-        """Draw the table from above; the segmenter later finds the boxes in the drawing.
+        """Draw the table from above; the segmenter later detects the objects' boxes in the drawing.
 
         The chat model checks that the view shows each object exactly once and nothing else. If a
         model refuses, or ``REDRAWS`` more drawings fail, ``fallback`` renders the view from
@@ -184,7 +184,7 @@ class CloudImager:
     def _drawn_top_view(
         self, reference: Reference, instances: Instances, models: Mapping[str, Model]
     ) -> TopView:
-        """Return a correct drawn top view, or raise UnusableError."""
+        """Return a drawn top view that passes all checks, or raise UnusableError."""
         things = Labelled.of(reference.image, instances)
         pictures = [pad(p, *RATIOS[self.painter.form]) for p in things.pair()]
         extent = _table_size(reference, models)
@@ -210,13 +210,13 @@ class CloudImager:
         )
 
     def _take(self, seed: int, take: int) -> str:
-        """Return words that distinguish the requests for different drawings."""
+        """Return a sentence for the prompt that makes requests for different drawings differ."""
         number = 1 + take + (1 + REDRAWS) * (self.seed + seed)
         return f"Version {number}. Do not write this number."
 
 
 def _form(model: str, base_url: str) -> Form:
-    """Return the form of a server's requests, derived from the model's and the server's names."""
+    """Return a server's API format, derived from the names of the model and of the server."""
     known = any(word in model.lower() for word in ("seedream", "seededit"))
     return "seedream" if known or configuration.server_name(base_url) == "ark" else "openai"
 

@@ -168,7 +168,7 @@ class CloudReasoner:
     def rate(
         self, reference: Picture, pictures: tuple[Picture, ...], criteria: Mapping[str, str]
     ) -> Mapping[str, float]:
-        """Return ratings from 1 to 7."""
+        """Return a chat model's rating of a scene for each criterion, from 1 to 7."""
 
         def marks(answer: answers.MarksAnswer) -> dict[str, float]:
             given = [m.criterion for m in answer.marks]
@@ -210,7 +210,7 @@ class CloudReasoner:
     def guess_rotations(
         self, reference: Reference, instances: Instances, sizes: Sizes, view: View
     ) -> Mapping[str, float]:
-        """Return the model's estimates of all yaws."""
+        """Return the model's estimate of each object's yaw."""
         shown = Labelled.of(reference.image, instances, table=False)
         if not shown.by_number:
             return {}

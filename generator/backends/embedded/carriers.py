@@ -66,7 +66,7 @@ def find_carriers(
 def _other_colour(
     lab: Float[np.ndarray, "h w 3"], bare: Bool[np.ndarray, "h w"]
 ) -> Bool[np.ndarray, "h w"]:
-    """Return the pixels of the bare tabletop whose colour differs from its most common one."""
+    """Return the bare tabletop's pixels that differ from its most common colour, except shadows."""
     smooth = cv2.medianBlur(np.ascontiguousarray(lab, np.float32), 5)
     if not bare.any():
         return bare
@@ -86,7 +86,7 @@ def _pieces(
     other: Bool[np.ndarray, "h w"],
     covered: Bool[np.ndarray, "h w"],
 ) -> list[Bool[np.ndarray, "h w"]]:
-    """Return the patches of other colours; parts of a patch that an object divides are joined."""
+    """Return the patches of other colours, joining parts of a patch that an object divides."""
     opened = cv2.morphologyEx(other.astype(np.uint8), cv2.MORPH_OPEN, np.ones((5, 5), np.uint8))
     count, labels, stats, _ = cv2.connectedComponentsWithStats(opened)
     kept = [k for k in range(1, count) if stats[k, cv2.CC_STAT_AREA] >= _CRUMB * other.size]

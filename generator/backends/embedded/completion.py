@@ -78,7 +78,7 @@ def complete_mask(mask: Mask, hider: Mask) -> Mask:
 
 
 def mirrored_mask(mask: Mask, hider: Mask) -> Mask | None:
-    """Return the mask reflected about its outline's vertical symmetry axis, or None if it has none.
+    """Return a mask mirrored about its vertical symmetry axis, or None if it is not symmetric.
 
     A reflection about this axis maps most of the unoccluded outline onto itself or behind the
     hider, and almost none of it elsewhere.

@@ -47,7 +47,7 @@ class EmbeddedEncoder:
         return tuple(maps)
 
     def _describe(self, level: Float[Tensor, "b 3 h w"]) -> Float[Tensor, "b c h w"]:
-        """Convert the luminance and chroma of one scale to normalised channels."""
+        """Convert one scale's luminance and chroma to normalised feature channels."""
         import torch
         from torch.nn import functional
 

@@ -100,7 +100,7 @@ def scales_of(
 
 @lru_cache(maxsize=1024)
 def _name_examples(key: str, degrees: int) -> Float[np.ndarray, "e k"]:
-    """Return the detector's names for a category's example, seen from all sides."""
+    """Return the detector's name probabilities for renders of a category from all sides."""
     view = View(0.0, float(np.deg2rad(degrees)), _FOV)
     model = build(key, _SEED)
     looks = [_look(model, turn, view) for turn in range(_TURNS)]

@@ -1,4 +1,4 @@
-"""The embedded image model: renders plans, completes crops, and rectifies the tabletop."""
+"""The embedded image model, which renders plans, completes crops and rectifies the tabletop."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from . import completion, painter, top_view
 
 @dataclass(frozen=True)
 class EmbeddedImager:
-    """An imager for the three picture questions, without any model.
+    """An imager that works by rendering and image processing, without a generative model.
 
     ``draws_catalogue`` is True because the drawing of a plan shows the catalogue's own objects.
     """

@@ -46,7 +46,7 @@ class EmbeddedModeler:
     quick: bool = dataclasses.field(default=False, repr=False)
 
     def for_text(self) -> EmbeddedModeler:
-        """Return the modeler for pictures that were drawn from a text prompt."""
+        """Return a faster variant of this modeler, for pictures drawn from a text prompt."""
         return dataclasses.replace(self, quick=True)
 
     def model(self, instance: Instance, size: SizePrior, view: View) -> Model:
@@ -85,7 +85,7 @@ class EmbeddedModeler:
 def likeness_model(
     found: Likeness, instance: Instance, projection: Projection, size: SizePrior, texture: int
 ) -> Model:
-    """Return a likeness's catalogue model with the crop's proportions and colours."""
+    """Return a ``Likeness``'s catalogue model with the crop's proportions and colours."""
     mesh = paint(
         found.model.mesh, found.extent, found.yaw, found.position, instance.crop, projection,
         texture, found.iou >= PROJECT,

@@ -39,7 +39,7 @@ _HEIGHT = 0.74
 
 @dataclass(frozen=True)
 class EmbeddedReasoner:
-    """A reasoner for the six questions, without any model; for pictures, it uses the table plane.
+    """A reasoner that uses rules and the geometry of the table plane instead of a language model.
 
     The two questions of ``PoseGuesser`` are answered by a naive reading of the picture (see
     ``poses``).
@@ -116,7 +116,7 @@ class EmbeddedReasoner:
     def guess_layout(
         self, reference: Reference, instances: Instances, sizes: Sizes, view: View
     ) -> Mapping[str, LayoutBox]:
-        """Return positions read from the table's box, and usual sizes (see ``poses``)."""
+        """Return positions interpolated in the table's box, and usual sizes (see ``poses``)."""
         return poses.guess_layout(instances, sizes, view)
 
 

@@ -140,7 +140,7 @@ def _carriers(
 
 
 def stand_on(sight: EyeReading, masks: Sequence[Bool[np.ndarray, "h w"]]) -> list[bool]:
-    """Return, for each mask, whether its lower end is on the tabletop or where objects hide it."""
+    """Return whether each mask's lower end is on the tabletop or on a hidden part of it."""
     top = top_of(sight)
     near = dilate(top, max(top.shape) // 60 + 1)
     feet = map(foot_of, masks)
@@ -153,7 +153,7 @@ def _pick_wanted(
     wanted: tuple[str, ...],
     measured: TablePlane | None,
 ) -> Named:
-    """Return the requested objects with their words, which uncertain objects must resemble."""
+    """Return the objects that match the requested words; uncertain ones must resemble them."""
     if not things:
         return []
     plane = measured or find_tabletop(image)
@@ -179,7 +179,7 @@ def _label(
 def looks_of(
     things: Sequence[EyeDetection], plane: TablePlane, keys: Sequence[str]
 ) -> list[dict[int, tuple[float, float]] | None]:
-    """Return the apparent sizes and shape differences of objects for each likely category."""
+    """Return each object's apparent size and shape difference for each of its likely categories."""
     looks: list[dict[int, tuple[float, float]] | None] = []
     for thing in things:
         likely = np.flatnonzero(thing.names[:-1] > _LOOKED).tolist()

@@ -96,7 +96,7 @@ def carries(
     below: Bool[np.ndarray, "h w"],
     holds: bool,
 ) -> tuple[float, bool]:
-    """Return the confidence that ``below`` carries the object, or 0, and whether it is inside."""
+    """Return the confidence that ``below`` carries the object, and whether the object is inside."""
     rows = np.flatnonzero(full.any(1))
     edges = np.flatnonzero(below.any(1))
     if not len(rows) or not len(edges):
@@ -117,7 +117,7 @@ def carries(
 
 
 def _above(foot: Bool[np.ndarray, "h w"], below: Bool[np.ndarray, "h w"], margin: float) -> bool:
-    """Return whether a foot ends above the lower edge of ``below`` in most of its columns."""
+    """Return whether an object's base ends above the lower edge of ``below`` in most columns."""
     columns = np.flatnonzero((foot & below).any(0))
     if not len(columns):
         return False

@@ -1,4 +1,4 @@
-"""The geometry for the stages' questions: the table plane and, with depth, the objects' solids.
+"""Geometry of a reference: the table plane and, if there is depth, the objects as solids.
 
 A reference with depth is measured; without depth, the tabletop's outline gives the plane.
 """
@@ -71,7 +71,7 @@ def solid_size(
     stacking: Mapping[str, Stacking],
     usual: SizePrior | None,
 ) -> SizePrior:
-    """Return an object's measured extent, in the axes of its ``usual`` size if there is one.
+    """Return an object's measured extent, along the axes of its ``usual`` size if there is one.
 
     An object with a narrower top hides its own back: its width is then derived from its length and
     its usual proportions, within limits. An object hidden by others does not count as measured: it

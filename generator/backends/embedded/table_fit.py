@@ -53,7 +53,7 @@ class Silhouette:
 
 @dataclass(frozen=True, eq=False)
 class Fitted:
-    """A form fitted to a picture (metres times ``scale`` plus ``shift``), and the mask overlap."""
+    """A table form, its ``scale`` and ``shift`` in the object frame, and the mask overlap."""
 
     form: TableForm
     scale: float
@@ -61,7 +61,7 @@ class Fitted:
     overlap: float
 
     def world(self, canonical: Float[np.ndarray, "n 3"]) -> Float[np.ndarray, "n 3"]:
-        """Return canonical vertices of the built form in the object frame."""
+        """Transform vertices of the form's canonical mesh to the object frame."""
         return ((canonical - [0, 0, 0.5]) * self.form.size) * self.scale + self.shift
 
 
@@ -72,7 +72,7 @@ def fit_table(
     fine: Silhouette,
     quick: bool = False,
 ) -> Fitted:
-    """Return the table with a given top (metres) and the closest silhouette.
+    """Return the table whose top has the given ``outline`` (metres) and whose silhouette fits best.
 
     ``height`` is the default height, which is used if the picture does not show the height.
     ``fine`` is the same silhouette at a higher resolution, used to refine the result. A ``quick``
@@ -99,7 +99,7 @@ def _settle(
     usual: float,
     searches: int = _STARTS,
 ) -> Fitted:
-    """Return the form and its placement after joint optimisation.
+    """Optimise a table form's legs and its placement jointly, and return both.
 
     Low legs near the rim look the same as high legs further in. Among equally good fits, the legs
     have the same inset from the front as from the side.
@@ -138,13 +138,13 @@ def _settle(
 
 
 def _leg_measures(form: TableForm) -> np.ndarray:
-    """Return the legs' insets in x and y, lean, and upper and lower width, in widths of the top."""
+    """Return leg insets (x, y), lean, upper and lower width, all relative to the top's width."""
     width = float(min(form.size[:2]))
     return np.array([*form.inset, form.lean, form.high, form.low]) / width
 
 
 def _with_legs(form: TableForm, measures: np.ndarray) -> TableForm:
-    """Return a form with the legs of ``_leg_measures``, clipped to valid values."""
+    """Return a form with the given ``_leg_measures``, clipped to valid values."""
     width = float(min(form.size[:2]))
     least = 0.012 / width
     most, slimmest = (0.9, 0.1) if form.legs == "pedestal" else (0.16, 0.3)
@@ -210,7 +210,7 @@ class _Legs:
 
     @cached_property
     def _counted(self) -> Mask:
-        """The visible pixels outside the top."""
+        """The pixels inside the picture and outside the tabletop, which count for the overlap."""
         return self.seen.shown & ~dilate(self.top, 3)
 
     @cached_property
@@ -228,11 +228,11 @@ class _Legs:
         return _draw([self._place(p) for p in [slab, *pieces]], self.seen.projection)
 
     def silhouette(self, form: TableForm) -> Mask:
-        """Return the silhouette of a form with the top."""
+        """Return the silhouette of a table of the given form, including the fitted top."""
         return self.draw(form) | self.top
 
     def overlap(self, form: TableForm) -> float:
-        """Return the intersection over union of everything below the top."""
+        """Return the IoU of a form and the silhouette, excluding the tabletop."""
         return mask_iou(self.draw(form) & self._counted, self._wanted)
 
     def ground(self, form: TableForm, usual: float) -> TableForm:
@@ -250,7 +250,7 @@ class _Legs:
         return replace(form, height=found)
 
     def fit(self, usual: float) -> tuple[tuple[TableForm, float], tuple[TableForm, float]]:
-        """Return the best form with posts and the best other form, with overlaps below the top."""
+        """Return the best form with posts as legs and the best other form, and their overlaps."""
         kinds = ("posts", "sled", "trestle", "pedestal")
         firsts = [self._best(self._coarse(kind, usual)) for kind in kinds]
         rival = max(firsts[1:], key=lambda f: f[1])
@@ -258,7 +258,7 @@ class _Legs:
         return self._refine(self._add_boards(*best)[0], usual), rival
 
     def _add_boards(self, form: TableForm, overlap: float) -> tuple[TableForm, float]:
-        """Return the form with another slab, or boards under it, if that fits clearly better."""
+        """Return the form, with another slab thickness or an apron if that fits clearly better."""
         aprons = (0.0, *_APRONS) if form.legs == "posts" else (0.0,)
         finer = self._best(replace(form, thickness=t, apron=a) for t, a in product(_SLABS, aprons))
         return finer if finer[1] > overlap + _GAIN else (form, overlap)

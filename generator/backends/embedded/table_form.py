@@ -138,7 +138,7 @@ class TableForm:
 
 
 def corners_of(outline: Float[np.ndarray, "k 2"]) -> Float[np.ndarray, "n 2"]:
-    """Return the corners of a triangular top, or else four points towards its box's corners."""
+    """Return a triangular top's corners, or else four rim points towards its box's corners."""
     polygon = shapely.Polygon(outline)
     rays = np.linspace(0, 2 * np.pi, 36, endpoint=False) + np.pi / 2
     middle = np.array(polygon.centroid.coords[0])

@@ -42,7 +42,7 @@ _CELLS = 192  # cells along the longer side of the top for inpainting
 def model_table(
     instance: Instance, size: SizePrior, view: View, seed: int, texture: int, quick: bool = False
 ) -> Model:
-    """Return a table that resembles the picture's, with yaw zero; ``quick`` searches less.
+    """Return a model of the picture's table, with yaw 0; ``quick`` shortens the search.
 
     The top has the prior's outline, or the common one whose silhouette fits best. Legs and height
     are those that explain the silhouette below it; the prior's height is kept if the picture does
@@ -77,7 +77,7 @@ def _places(
 
 
 def _usual_tops(length: float, width: float) -> list[Float[np.ndarray, "_k 2"]]:
-    """Return the common outlines of a top with these sides."""
+    """Return the common outlines of a tabletop of the given length and width."""
     corners = np.array([[-0.5, -0.5], [0.5, -0.5], [0.0, 0.5]]) * [length, width]
     triangle = rounded_polygon(corners, 0.1 * min(length, width), 4)
     triangle = triangle - (triangle.min(0) + triangle.max(0)) / 2
@@ -127,7 +127,7 @@ def _paint(
 def _within(
     points: Float[np.ndarray, "t 2"], on_top: Bool[np.ndarray, "t"]
 ) -> Bool[np.ndarray, "t"]:
-    """Return which points are away from the top's edge, where the picture shows its side."""
+    """Return which points are not close to the top's edge, where the picture may show its side."""
     top = shapely.convex_hull(shapely.MultiPoint(points[on_top]))
     low, high = points[on_top].min(0), points[on_top].max(0)
     inner = top.buffer(-_EDGE * float((high - low).max()))
@@ -137,7 +137,7 @@ def _within(
 def _cover(
     instance: Instance, mask: Bool[np.ndarray, "h w"], reach: float
 ) -> Bool[np.ndarray, "h w"]:
-    """Return the crop's pixels within ``reach`` times its longer side of objects over the table."""
+    """Return pixels of objects over the table, dilated by ``reach`` times the crop's long side."""
     rows, columns, held = _places(instance, mask.shape[1], mask.shape[0])
     hidden = mask & ~(instance.mask[rows, columns] & held)
     brush = 2 * max(1, round(reach * max(mask.shape))) + 1
@@ -199,7 +199,7 @@ def find_strange(
 
 
 def _cells(point: Float[np.ndarray, "t 3"], count: int = 10) -> Int[np.ndarray, "t"]:
-    """Number the squares of a grid over the table, with ``count`` along its longest side."""
+    """Return the grid cell of each point, with ``count`` cells along the table's longest side."""
     flat = point[:, :2] - point[:, :2].min(0)
     index = np.minimum((flat / max(float(flat.max()), 1e-9) * count).astype(int), count - 1)
     return index[:, 0] * count + index[:, 1]

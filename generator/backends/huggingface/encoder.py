@@ -22,7 +22,7 @@ _KIND = "Dinov2Model"
 
 @dataclass(frozen=True)
 class HuggingFaceEncoder:
-    """DINOv2's tokens as Phi of Eq. 4: one map of patches, and one for the whole image.
+    """An encoder with DINOv2's tokens as Phi of Eq. 4: one map of patches and one global feature.
 
     Each position's vector has length 1, so squared distances are in [0, 4] as with the embedded
     encoder, and lambda_a has the same meaning.
@@ -57,7 +57,7 @@ class HuggingFaceEncoder:
         object.__setattr__(self, "_network", Once(self._load))
 
     def features(self, images: Tensor) -> tuple[Tensor, ...]:
-        """Map (b, 3, h, w) images in [0, 1] to features (b, c, h', w') and, globally, (b, c, 1, 1).
+        """Map (b, 3, h, w) images in [0, 1] to (b, c, h', w') and global (b, c, 1, 1) features.
 
         The maps are differentiable in ``images`` and have their type and device.
 

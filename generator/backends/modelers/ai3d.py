@@ -43,7 +43,7 @@ class LostJob(Exception):
 
 
 def read_keys(what: str) -> tuple[str, str]:
-    """Return the two halves of the key from the environment.
+    """Return the secret id and the secret key from the environment.
 
     Raises:
         BackendError: they are not set; ``what`` is the start of the message.
@@ -58,7 +58,7 @@ def read_keys(what: str) -> tuple[str, str]:
 
 @dataclass(frozen=True)
 class Service:
-    """Calls for one instance. ``what`` begins their error messages; ``used`` records the answers.
+    """The client for one instance; ``what`` starts error messages, and ``used`` records answers.
 
     While the service is busy, a call is repeated every ``interval`` seconds, for up to ``timeout``
     seconds.
@@ -144,7 +144,7 @@ class Service:
 
 
 def _hint(code: str) -> str:
-    """Return advice on a refusal."""
+    """Return advice for the error code of a refused call."""
     if code == _EXPIRED:
         return " The signature was new, so check this machine's clock."
     if code.startswith("AuthFailure"):

@@ -1,4 +1,4 @@
-"""Meshes in a folder by the objects that they show, in flat files or one folder per object."""
+"""Look-up of meshes in a folder by object, as single files or with one folder per object."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def plain(word: str) -> str:
 
 
 def find_assets(home: Path) -> Mapping[str, Path]:
-    """Return the meshes of a folder by object: "mug" for "025_mug/textured.obj".
+    """Return the meshes of a folder by object name, such as "mug" for "025_mug/textured.obj".
 
     An object is named after its file, or after the closest parent folder if the file's name is
     generic ("textured.obj"); leading numbers are ignored. Links are not followed.

@@ -17,7 +17,7 @@ Cutout = UInt8[np.ndarray, "_ _ 4"]
 
 
 def cutout(instance: Instance, backend: str) -> Cutout:
-    """Return an instance's crop as a square of 256 to 1024 pixels, transparent around it.
+    """Return an instance's crop as a square of 256 to 1024 pixels, with transparent surroundings.
 
     Raises:
         BackendError: the crop is empty.
@@ -39,6 +39,6 @@ def cutout(instance: Instance, backend: str) -> Cutout:
 
 
 def on_grey(picture: Cutout) -> UInt8[np.ndarray, "s s 3"]:
-    """Return a cut-out on middle grey."""
+    """Return a cut-out composited on middle grey."""
     share = picture[..., 3:] / 255.0
     return np.round(picture[..., :3] * share + 127.5 * (1 - share)).astype(np.uint8)

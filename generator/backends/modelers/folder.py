@@ -42,7 +42,7 @@ _ODD = 4.0
 
 @dataclass(frozen=True)
 class Folder:
-    """A modeler with your own files, by name ("mug_1.glb") or else label or category ("mug.obj").
+    """A modeler that uses your files, found by name ("mug_1.glb"), label or category ("mug.obj").
 
     Files may be in their own folders ("025_mug/textured.obj", see ``assets``). A texture shared by
     all parts of a file is kept, unless it repeats or the triangles are changed (see

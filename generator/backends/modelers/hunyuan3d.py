@@ -102,7 +102,7 @@ class Hunyuan3D:
         return foreign_model(mesh, instance, size)
 
     def body(self, picture: bytes) -> Mapping[str, Any]:
-        """Return the request for a PNG in the format of the server's version."""
+        """Return the request body for a PNG, in the format of the server's version."""
         return {
             "image": base64.b64encode(picture).decode(),
             "texture": self.textured,

@@ -108,7 +108,7 @@ class Tencent:
         return foreign_model(mesh, instance, size)
 
     def _result(self, service: Service, job: str) -> bytes:
-        """Return a job's GLB when the job is done; a stored result needs no network.
+        """Wait for a job and return its GLB; a stored result is returned without network access.
 
         Raises:
             LostJob: an earlier run's job has failed, or its result is no longer available.

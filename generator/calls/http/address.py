@@ -44,7 +44,7 @@ def checked_address(url: str, what: str, hint: str = "") -> str:
 
 
 def check_link(url: object, what: str, error: type[TabletopError]) -> SplitResult:
-    """Check and split the URL of a file in a server's answer: http(s), without a user name.
+    """Check and split a file's URL in a server's answer: it must be http(s), without a user name.
 
     The caller decides whether the host may be contacted. ``what`` is the start of error messages,
     which omit the URL because it may be signed.

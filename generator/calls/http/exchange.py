@@ -242,7 +242,7 @@ def _trouble(reply: Reply, status: int, paid: bool, secrets: tuple[str, ...]) ->
 
 
 def _code(payload: Any) -> int | None:
-    """Return the status of an upstream error in a response, as routers report it."""
+    """Return the status of an upstream error that a router reports in a response, or None."""
     error = payload.get("error") if isinstance(payload, dict) else None
     code = str(error.get("code")) if isinstance(error, dict) else ""
     return int(code) if code.isdecimal() and len(code) <= 3 else None

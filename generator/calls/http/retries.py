@@ -95,7 +95,7 @@ class Breaker:
         self._closed_again = 0.0  # earliest time of the next trial call
 
     def check(self, what: str) -> None:
-        """Allow a call, or raise; ``what`` names the call in the message.
+        """Raise an error if the server failed too often; ``what`` names the call in the message.
 
         Raises:
             BackendError: the server failed too often in a row, and its rest period is not over.

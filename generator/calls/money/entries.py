@@ -1,4 +1,4 @@
-"""Entries of the ledger, and their sums."""
+"""Entries of the ledger, and their totals."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ Outcome = Literal["answered", "cached", "failed"]
 
 @dataclass(frozen=True)
 class Entry:
-    """One call: a new answer, an answer from the store, or a failed attempt.
+    """One call in the ledger: a new answer, an answer from the store, or a failed attempt.
 
     ``money`` is None if the price is unknown. An attempt that broke off after it was sent counts at
     its maximum cost. ``earlier`` marks calls of earlier runs; ``at`` is the server's host and port.
@@ -32,7 +32,7 @@ class Entry:
 
 @dataclass(frozen=True)
 class LedgerRow:
-    """The sum of all calls with one question to one model.
+    """The totals of all calls that put one question to one model.
 
     ``money`` covers the calls with a known price; ``unpriced`` counts the others.
     """

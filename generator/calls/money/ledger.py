@@ -85,7 +85,7 @@ class Account:
         return write
 
     def add(self, entry: Entry) -> None:
-        """Add a call."""
+        """Add a call to the ledger."""
         with self._ended:
             self._entries.append(entry)
 
@@ -234,7 +234,7 @@ class Account:
 
 
 def _price(entry: Entry, prices: Prices | None) -> Entry:
-    """Return an entry of unknown price with its model's price, if that is now known."""
+    """Return an entry with its cost, if that was unknown and the model's price is now known."""
     if entry.money is not None or entry.outcome != "answered" or prices is None:
         return entry
     price = prices.price(entry.model, entry.at)

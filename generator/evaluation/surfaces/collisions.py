@@ -143,7 +143,7 @@ def overlap_depth(a: Body, b: Body, minimum: float = THRESHOLD) -> float:
 
 
 def _boxes_overlap(a: SurfaceShell, b: SurfaceShell) -> float:
-    """Return the shortest shift that separates the bounding boxes, an upper bound on any depth."""
+    """Return the shortest distance that separates the bounding boxes; no depth can exceed it."""
     (low_a, high_a), (low_b, high_b) = a.bounds, b.bounds
     return float(min((high_a - low_b).min(), (high_b - low_a).min()))
 

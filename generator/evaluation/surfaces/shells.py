@@ -173,7 +173,7 @@ def _shell(vertices: Float[np.ndarray, "n 3"], faces: Int[np.ndarray, "m 3"]) ->
 
 
 def _outer(faces: Int[np.ndarray, "m 3"]) -> Int[np.ndarray, "k 3"]:
-    """Return the faces without those pairs that lie back to back."""
+    """Return the faces, without pairs of coincident faces with opposite orientations."""
     key = np.sort(faces, axis=1)
     _, group = np.unique(key, axis=0, return_inverse=True)
     group = group.reshape(-1)
@@ -267,7 +267,7 @@ def pseudonormals(
 def solid_angles(
     points: Float[np.ndarray, "p 3"], corners: Float[np.ndarray, "m 3 3"]
 ) -> Float[np.ndarray, "p"]:
-    """Return the triangles' winding number about each point, which is 1 inside a closed surface."""
+    """Return the winding number of a triangle mesh about each point: 1 inside a closed surface."""
     a, b, c = (corners[None, :, k] - points[:, None] for k in range(3))
     la, lb, lc = (np.linalg.norm(side, axis=2) for side in (a, b, c))
     volume = _dot(a, np.cross(b, c))

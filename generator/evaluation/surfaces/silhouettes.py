@@ -1,4 +1,4 @@
-"""Yaw and size errors, found by testing which other values fit an object's mask better.
+"""Estimation of yaw and size errors from the rotation and scale that best fit an object's mask.
 
 Each object is drawn alone from the picture's camera, as it stands and with other yaws or scales.
 Pixels of other objects in the picture are ignored, so that occluded parts have no effect. Each
@@ -32,7 +32,7 @@ _SAME = 20.0  # degrees; yaws this close to a symmetry are not distinguished
 
 @dataclass(frozen=True)
 class SilhouetteFit:
-    """The fit of an object's silhouette to its mask: unchanged, with the best yaw and best scale.
+    """The fit (IoU) of a silhouette to a mask: unchanged, with the best yaw and at the best scale.
 
     ``turn`` (radians, counter-clockwise) and ``factor`` are the best of the tested values.
     """
@@ -46,7 +46,7 @@ class SilhouetteFit:
 
 
 def fits(compared: Comparison) -> tuple[SilhouetteFit, ...]:
-    """Return the fit of each object that is visible enough in the picture.
+    """Return the silhouette fit of each object that is sufficiently visible in the picture.
 
     Objects are skipped if they have no mask or one of only a few pixels, or are more than half
     occluded.
@@ -85,7 +85,7 @@ def _fit(
 def _silhouette(
     thing: Object, camera: Camera, turn: float = 0.0, factor: float = 1.0
 ) -> Bool[np.ndarray, "h w"]:
-    """Return the pixels of an object rendered alone, rotated or scaled about its bottom centre."""
+    """Return the pixels of an object rendered alone, rotated and scaled about its bottom centre."""
     points = (thing.model.mesh.vertices * thing.scale) @ quaternion_matrix(thing.pose.quaternion).T
     foot = np.array([0.0, 0.0, points[:, 2].min()])
     points = factor * (points - foot) @ rotation_z(turn).T + foot + thing.pose.position
@@ -100,7 +100,7 @@ def _silhouette(
 def _overlap(
     shape: Bool[np.ndarray, "h w"], mask: Bool[np.ndarray, "h w"], free: Bool[np.ndarray, "h w"]
 ) -> float:
-    """Return the higher IoU of the silhouette with the mask: unshifted or centred on the mask."""
+    """Return the higher IoU of a silhouette with the mask: in place or with aligned centroids."""
     if not shape.any():
         return 0.0
     shown = shape & free if (shape & free).any() else shape
@@ -109,7 +109,7 @@ def _overlap(
 
 
 def _shift(mask: Bool[np.ndarray, "h w"], by: Float[np.ndarray, "2"]) -> np.ndarray:
-    """Return a mask shifted by whole pixels; pixels outside the picture are lost."""
+    """Return a mask shifted by ``by``, in whole pixels; pixels that leave the image are dropped."""
     places = np.argwhere(mask) + np.round(by).astype(int)
     places = places[((places >= 0) & (places < mask.shape)).all(1)]
     moved = np.zeros(mask.shape, bool)

@@ -1,4 +1,4 @@
-"""The camera sweep (supplement, Sec. 8.1): 160 views of a scene, and the best match for a picture.
+"""The camera sweep (supplement, Sec. 8.1): 160 views of a scene, each compared with a picture.
 
 For other methods' scenes the picture's camera is unknown. Every scene is therefore rendered from
 the front, at elevations from straight above down to table height and at distances from near to far.
@@ -63,14 +63,14 @@ class SweepConfig:
 
 @dataclass(frozen=True)
 class Station:
-    """The camera's position for one view: the elevation in degrees, the distance in scene radii."""
+    """The camera position of one view: its elevation in degrees and its distance in scene radii."""
 
     elevation: float
     distance: float
 
 
 class Metric(Protocol):
-    """A similarity metric; ``name`` identifies the quantity and its model."""
+    """A measure of image similarity; ``name`` identifies the measure and the model that it uses."""
 
     @property
     def name(self) -> str:
@@ -87,13 +87,13 @@ class Metric(Protocol):
         pictures: Sequence[UInt8[np.ndarray, "_h _w 3"]],
         reference: UInt8[np.ndarray, "a b 3"],
     ) -> Float[np.ndarray, "n"]:
-        """Return one value for each picture, compared with the reference."""
+        """Return the similarity of each picture to the reference."""
         ...
 
 
 @dataclass(frozen=True, eq=False)
 class Best:
-    """A metric at its best view, with all of its values in the order of the sweep."""
+    """The best view for one metric, and the metric's values for all views in their order."""
 
     metric: str
     higher_is_better: bool
@@ -103,7 +103,7 @@ class Best:
     values: Float[np.ndarray, "n"]
 
     def facts(self) -> dict[str, Any]:
-        """Return the best value and its view as JSON values."""
+        """Return the best value, and the view that has it, as JSON values."""
         return {
             "value": round(self.value, 5),
             "higher_is_better": self.higher_is_better,

@@ -34,11 +34,11 @@ class Cloud:
     spacing: float
 
     def turn(self, angle: float) -> Float[np.ndarray, "n 3"]:
-        """Return the points, turned about the vertical by ``angle`` radians."""
+        """Return the points rotated about the vertical by ``angle`` radians."""
         return self.position @ rotation_z(angle).T
 
     def thin(self, count: int) -> Cloud:
-        """Return about ``count`` points (every k-th), with colours smoothed over neighbours."""
+        """Return about ``count`` points (every k-th), with colours averaged over neighbours."""
         step = max(1, len(self.position) // count)
         position = self.position[::step]
         smooth = _smooth(self.position, self.color, position, step * _AROUND)
@@ -64,13 +64,13 @@ def _smooth(
     queries: Float[np.ndarray, "m 3"],
     around: int,
 ) -> Float[np.ndarray, "m 3"]:
-    """Return the mean colour of the nearest points for each query position."""
+    """Return the mean colour of the ``around`` points nearest to each query position."""
     near = KDTree(position).query(queries, k=min(around, len(position)))[1]
     return color[near.reshape(len(queries), -1)].mean(1)
 
 
 def find_changes(points: Cloud, angle: float, every: int = 1) -> Bool[np.ndarray, "m"]:
-    """Return which points, turned by ``angle`` radians, land where the surface looks different.
+    """Return which points, rotated by ``angle`` radians, do not match the surface where they land.
 
     Only every ``every``-th point is tested.
     """
@@ -82,7 +82,7 @@ def find_changes(points: Cloud, angle: float, every: int = 1) -> Bool[np.ndarray
 
 
 def misfit(points: Cloud, angle: float) -> float:
-    """Return the fraction of the surface that looks different if rotated by ``angle`` radians."""
+    """Return the fraction of the surface that looks different after a turn by ``angle`` radians."""
     every = max(1, len(points.position) // _ASKED)
     return float(find_changes(points, angle, every).mean())
 

@@ -9,6 +9,6 @@ from importlib import resources
 
 
 def loader_scripts(*engines: str) -> dict[str, bytes]:
-    """Return the scripts of some engines, by file name."""
+    """Return the loader scripts for the given engines, keyed by file name."""
     names = [f"load_{engine}.py" for engine in engines]
     return {name: resources.files(__name__).joinpath(name).read_bytes() for name in names}

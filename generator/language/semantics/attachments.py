@@ -126,7 +126,7 @@ class CarryReader(MemberReader, ABC):
 
 
 def _vessel(owner: Target, noun: Noun | None) -> Noun | None:
-    """Return an owner's noun phrase, or one made from the owner if a verb precedes the contents."""
+    """Return the noun phrase of a vessel, made from its draft if a verb precedes the contents."""
     if noun is not None or not isinstance(owner, list):
         return noun
     return Noun("thing", (owner[0].noun,), (0, 0), owner[0].noun, owner[0].category)
@@ -138,7 +138,7 @@ def _is_pile(group: Group) -> bool:
 
 
 def _owners_places(owner: Target, items: Sequence[Noun], how: str, *, first: bool) -> list[Post]:
-    """Return those places of the contents that really apply to the vessel.
+    """Return those positions stated for the contents that actually apply to the vessel.
 
     In "a bowl with two eggs behind the pot", the bowl is behind the pot. In "a bowl with crisps
     behind it", so is the bowl, unless it is the ``first`` object of the text.

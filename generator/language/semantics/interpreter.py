@@ -115,7 +115,7 @@ class Interpreter(SeatReader):
         return context.earlier if self._alone else None
 
     def _spoken_of(self, clause: Clause) -> list[Group] | None:
-        """Return the groups to which a subject "it" or "they" refers, or None for others."""
+        """Return the groups that a subject "it" or "they" refers to, or None for other subjects."""
         subject = clause.subjects[0] if len(clause.subjects) == 1 else None
         if subject is None or subject.kind != "pronoun" or subject.post:
             return None
@@ -270,7 +270,7 @@ class Interpreter(SeatReader):
                 draft.lengths = post.lengths or draft.lengths
 
     def _resolve(self, place: Location, subject: Group) -> Target | None:
-        """Resolve a place's target by interpreting its noun phrase; return None if unknown."""
+        """Interpret the noun phrase of a place's target; return None if the target is unknown."""
         context = self._context
         if isinstance(place.target, Zone):
             if place.table is not None and place.table.kind == "table":
@@ -312,7 +312,7 @@ class Interpreter(SeatReader):
         return target
 
     def _name_denied(self, noun: Noun, group: Group) -> None:
-        """Add the object at which a group is said not to be, since it exists nevertheless."""
+        """Add the object named by a negated place ("not on the book"), since it still exists."""
         context = self._context
         outer, context.subject = context.subject, group
         self._noun(noun, None)

@@ -1,4 +1,4 @@
-"""Relations between groups of drafts: one to each target, as stacks, or on both sides."""
+"""Relations between groups of drafts: one draft per target, stacks, or drafts on both sides."""
 
 from __future__ import annotations
 
@@ -96,7 +96,7 @@ def _link(kind: str, draft: Draft, target: Draft | str, warnings: list[str]) -> 
 
 
 def _put_beside(draft: Draft, targets: Sequence[Draft | str]) -> None:
-    """Put two new objects on either side of the object that is between them."""
+    """Put the two objects that another one is between on either side of it, if they are new."""
     for kind, target in zip(("left_of", "right_of"), targets, strict=True):
         if isinstance(target, Draft) and target is not draft and not target.relations:
             target.relate(kind, draft)

@@ -153,7 +153,7 @@ class MemberReader(ThingReader, ABC):
         return self._mention(noun, copies)
 
     def _copies(self, noun: Noun, like: Draft) -> Group:
-        """Return new drafts of a kind, as many as the phrase states."""
+        """Return as many new drafts of a kind as the phrase states."""
         return [
             self.reading.add(like.noun, like.category, noun.attributes, family=like.family,
                              lengths=noun.lengths)
@@ -196,7 +196,7 @@ class MemberReader(ThingReader, ABC):
         return self._refer(noun, chosen) if chosen else None
 
     def _like_of(self, noun: Noun) -> Draft | None:
-        """Return the last object so placed, which "another in front of the box" repeats."""
+        """Return the object that "another in front of the box" repeats: the last one so placed."""
         kinds = {post.kind for post in noun.post if isinstance(post, Location)}
         placed = (
             d for d in reversed(self.reading.objects) if kinds & {kind for kind, _ in d.relations}

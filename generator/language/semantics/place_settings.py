@@ -103,7 +103,7 @@ class SeatReader(ListInterpreter, ABC):
     def _predicate(
         self, post: Post, things: Sequence[Group], groups: Sequence[Target], bare: bool
     ) -> None:
-        """Interpret a predicate of objects."""
+        """Interpret a predicate that applies to objects."""
 
 
 _TABLEWARE = frozenset(

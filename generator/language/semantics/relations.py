@@ -285,7 +285,7 @@ class Relater(ABC):
 
     @abstractmethod
     def _name_denied(self, noun: Noun, group: Group) -> None:
-        """Add the object at which a group is said not to be, since it exists nevertheless."""
+        """Add the object named by a negated place ("not on the book"), since it still exists."""
 
 
 def _bottom(draft: Draft) -> Draft:
@@ -300,6 +300,6 @@ def _bottom(draft: Draft) -> Draft:
 
 
 def _ends_of(targets: Group) -> Group:
-    """Return the two objects between which several others are, if both can still be moved."""
+    """Return the two objects that others are said to be between, if both can still be moved."""
     free = [draft for draft in targets if not draft.relations]
     return free if len(free) == 2 else []

@@ -57,7 +57,7 @@ def _english() -> frozenset[str]:
 
 
 def entry_of(words: tuple[str, ...]) -> NounEntry | None:
-    """Return the entry of the longest suffix of a noun phrase that is in the table, or None."""
+    """Return the dictionary entry of the longest known suffix of a noun phrase, or None."""
     for start in range(max(0, len(words) - 3), len(words)):
         tail = words[start:]
         for form in (tail, (*tail[:-1], singular(tail[-1]))):

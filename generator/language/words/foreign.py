@@ -94,7 +94,7 @@ def is_foreign(text: str) -> bool:
 
 
 def is_in_other_script(text: str) -> bool:
-    """Return whether more of the text is in another script than is in Latin script."""
+    """Return whether more of a text is written in other scripts than in Latin script."""
     latin = other = 0
     for letter in filter(str.isalpha, unicodedata.normalize("NFKC", text)):
         script = unicodedata.name(letter, "").split()

@@ -35,7 +35,7 @@ _SHOWN = ("POSITION", "TEXCOORD_0", "COLOR_0")
 
 
 def plain_glb(raw: bytes, what: str) -> bytes:
-    """Return a GLB file without the extensions that this module decodes; return others unchanged.
+    """Return a GLB file with the extensions that this module decodes removed; others are unchanged.
 
     The positions, texture coordinates and colours of the meshes' triangles are kept.
 
@@ -233,7 +233,7 @@ def _transform_of(header: Header, primitive: Header) -> Header | None:
 
 
 def _transform(material: Header) -> Header | None:
-    """Return the texture transform of a material's base colour, or None if absent or rotated."""
+    """Return the transform of a material's colour texture, or None if it is absent or rotated."""
     color = base_color(material).get("baseColorTexture", {})
     transform = color.get("extensions", {}).get(_TRANSFORM)
     return None if transform is None or transform.get("rotation") else transform

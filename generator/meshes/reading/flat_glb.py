@@ -101,7 +101,7 @@ def roots_of(header: Header, scene: int) -> Sequence[int]:
 
 
 def shown_nodes(header: Header) -> Iterator[Header]:
-    """Yield each node that a scene contains, once per scene.
+    """Yield the nodes of all scenes; a node in several scenes is yielded once for each of them.
 
     A file without nodes shows all of its meshes; a file without root nodes shows all of its trees.
 

@@ -217,7 +217,7 @@ def _piece(
 
 
 def _factor(material: Any) -> UInt8[np.ndarray, "4"]:
-    """Return a material's plain colour, or grey if there is no material."""
+    """Return a material's uniform colour, or grey if there is no material."""
     if material is None:
         return np.array(_GREY, np.uint8)
     given = (getattr(material, name, None) for name in ("baseColorFactor", "diffuse"))
@@ -251,6 +251,6 @@ def _bytes(values: np.ndarray) -> UInt8[np.ndarray, "*k"]:
 
 
 def _to_srgb(colors: UInt8[np.ndarray, "*k c"], linear: bool) -> UInt8[np.ndarray, "*k 3"]:
-    """Return plain colours converted to sRGB, without alpha."""
+    """Return colours in sRGB, converted if they are ``linear``, and without alpha."""
     table = to_srgb(_LINEAR) if linear else _LINEAR
     return np.round(255 * table).astype(np.uint8)[colors[..., :3]]

@@ -53,7 +53,7 @@ def boxes_on_ground(
 def table_on_ground(
     table: Instance, view: View, image_size: tuple[int, int]
 ) -> Float[np.ndarray, "3"] | None:
-    """Return the positions of the tabletop's left, right and far ends on the plane.
+    """Return the positions of the tabletop's left, right and far ends in the tabletop's plane.
 
     Returns None if the picture's border cuts off one of the ends, or if no table is visible. The
     legs and the side of the tabletop lie below the plane and therefore appear nearer. They extend
@@ -75,7 +75,7 @@ def table_on_ground(
 def _stand(
     thing: Instance, model: Model, yaw: float, floor: float, eye: Camera
 ) -> tuple[Float[np.ndarray, "4"], float] | None:
-    """Return an object's top-view box and height, both in units of the camera's height."""
+    """Return an object's top-view box and height, in units of the camera's height, or None."""
     import torch
 
     from ...render.soft import fit_center, object_to_camera

@@ -225,7 +225,7 @@ def _scale(
 def _table_scale(
     top: TopView, alpha: float, usual: Float[np.ndarray, "3"], modelled: bool
 ) -> Float[np.ndarray, "3"]:
-    """Rescale the table to its box; its height changes only slightly unless it is ``modelled``."""
+    """Scale the table to its top-view box; the height changes little unless it is ``modelled``."""
     box = np.asarray(top.table_box)
     across = (box[2:] - box[:2]) * alpha
     factor = float(np.sqrt(across.prod() / np.prod(usual[:2])))
@@ -295,7 +295,7 @@ def ask_layout(
     reasoner: Reasoner,
     guesser: PoseGuesser,
 ) -> Alignment:
-    """Return the instances at the reasoner's positions and scales; the table has its usual size.
+    """Return an alignment with the reasoner's positions and scales, and a table of the usual size.
 
     The reasoner also determines the supports, as in TSA, so only x, y and the sizes differ from
     TSA. There is no anchor and no top view.

@@ -44,7 +44,7 @@ Box = Float[np.ndarray, "4"]
 
 @dataclass(frozen=True, eq=False)
 class _Carried:
-    """A scale and a shift from the ground to the top view; ``slack`` multiplies the limits."""
+    """A scale and a shift that map ground boxes to the top view; ``slack`` scales the limits."""
 
     scale: float
     shift: Float[np.ndarray, "2"]
@@ -139,7 +139,7 @@ def _over(box: Box, below: Box) -> bool:
 def _false(
     boxes: Mapping[str, Box], placed: Mapping[str, Box], standing: Collection[str], unit: float
 ) -> dict[str, str]:
-    """Return a remark for each drawn box that contradicts geometry; ``unit`` is in pixels."""
+    """Return a remark for each drawn box that geometry contradicts; ``unit`` is in pixels."""
     remarks: dict[str, str] = {}
     for name in (n for n in placed if n in boxes):
         box, there = boxes[name], placed[name]
@@ -164,7 +164,7 @@ def _limit(box: Box, length: float) -> float:
 def _agreement(
     ground: Mapping[str, Box], drawn: Mapping[str, Box], ends: _Carried | None, length: float
 ) -> _Carried | None:
-    """Return the scale and shift that most of the drawn boxes agree on, or None."""
+    """Return the scale and shift that fit most of the drawn boxes, or None if there are none."""
     names = list(drawn)
     if len(names) < _FEWEST:
         return None

@@ -45,7 +45,7 @@ _ALIKE = "it must match the other place settings"
 
 @dataclass(frozen=True, eq=False)
 class SceneDraft:
-    """A scene before layout: a plan with the scene's object names, and the state of its objects.
+    """A scene before layout: its plan, and the models, placements and yaws of the planned objects.
 
     Attributes:
         models: the model of every planned object, at its size in metres.
@@ -157,7 +157,7 @@ def draft_scene(
 
 
 def _plan_warning(name: str, reason: str, told: bool) -> str:
-    """Return a warning that an object has the plan's shape, and the plan's yaw unless ``told``."""
+    """Return a warning that an object's shape and, unless ``told``, its yaw come from the plan."""
     tail = "" if told else " Its yaw is also the plan's, since the drawing does not determine it."
     return f"{name} is built from the plan: {reason}.{tail}"
 

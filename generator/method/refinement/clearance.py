@@ -1,4 +1,4 @@
-"""The cost that keeps objects apart and on the table, from their footprints at shared heights."""
+"""The cost that keeps objects apart and on the table, from their outlines at shared heights."""
 
 from __future__ import annotations
 
@@ -78,7 +78,7 @@ def placed_outlines(
 
 
 def gaps(a: Float[Tensor, "m k 2"], b: Float[Tensor, "m k 2"]) -> Float[Tensor, "m"]:
-    """Return the gaps, in metres, between convex outlines along the best edge of either one.
+    """Return each pair's gap in metres: the maximum over the edge normals of both convex outlines.
 
     A negative value is the minimum displacement that separates the two. If two edges separate them
     equally well, one of the edges gets the whole gradient; otherwise coincident outlines would not
@@ -90,7 +90,7 @@ def gaps(a: Float[Tensor, "m k 2"], b: Float[Tensor, "m k 2"]) -> Float[Tensor, 
 
 
 def _beyond(a: Float[Tensor, "m k 2"], b: Float[Tensor, "m j 2"]) -> Float[Tensor, "m"]:
-    """Return how far all of ``b`` is beyond the best separating edge of ``a``."""
+    """Return the largest signed gap from ``a`` to ``b`` along the edge normals of ``a``."""
     import torch
 
     along = a.roll(-1, 1) - a
@@ -137,7 +137,7 @@ def make_crowd(
 
 
 def _shared_heights(a: Placement, b: Placement) -> tuple[float, float]:
-    """Return the lowest and the highest height, in metres, that both objects share."""
+    """Return the lower and the upper limit, in metres, of the heights that both objects occupy."""
     low, high = ([p.translation[2] + s * p.scale[2] / 2 for p in (a, b)] for s in (-1, 1))
     return max(low), min(high)
 
@@ -167,7 +167,7 @@ def _outline(points: Float[np.ndarray, "n 2"]) -> Float[np.ndarray, "k 2"]:
 
 
 def _simplify(outline: Float[np.ndarray, "n 2"]) -> Float[np.ndarray, "k 2"]:
-    """Return the outline with ``_CORNERS`` corners: drop minor ones or repeat the last one."""
+    """Return the outline with ``_CORNERS`` corners, dropping minor ones or repeating the last."""
     while len(outline) > _CORNERS:
         before, after = outline - np.roll(outline, 1, 0), np.roll(outline, -1, 0) - outline
         lost = np.abs(before[:, 0] * after[:, 1] - before[:, 1] * after[:, 0])

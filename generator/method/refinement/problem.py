@@ -118,7 +118,7 @@ def make_problem(
 
 
 def make_links(moving: Sequence[Placement], placements: Sequence[Placement]) -> Links:
-    """Return which of the ``moving`` objects, some or all of the placed ones, move together."""
+    """Return how the ``moving`` objects (some or all of the placed ones) affect those on them."""
     below = {p.name: p for p in placements}
     rows = {p.name: k for k, p in enumerate(moving)}
     carries, lifts = np.eye(len(moving)), np.diag([p.scale[2] / 2 for p in moving])
@@ -161,7 +161,7 @@ def make_posed(
 
 
 def standpoint(seen: ObservedThings, posed: PosedThings) -> Float[Tensor, "3"]:
-    """Return where a camera with a given direction sees the objects centred in their crops.
+    """Return the camera position, for a given direction, that centres the objects in their crops.
 
     The position minimises the squared distances of the objects' centres from their rays.
     """
@@ -191,7 +191,7 @@ def _chain(placement: Placement, below: Mapping[str, Placement]) -> list[Placeme
 
 @dataclass(frozen=True)
 class RefinementConfig:
-    """Settings of the joint refinement.
+    """Settings of the refinement that fits all objects and the camera jointly to the masks.
 
     Attributes:
         steps: number of Adam steps; 0 disables the refinement.

@@ -1,4 +1,4 @@
-"""Certainty of a yaw, relative to other candidates and to small rotations."""
+"""Certainty of an estimated yaw, from the losses at other candidates and at nearby yaws."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ _STEP = float(np.deg2rad(2.0))  # step of the second difference
 
 
 def margin(rounds: Rows, order: int = 1) -> float:
-    """Return the relative increase in loss from the best yaw to the best distinct alternative.
+    """Return the relative increase in loss from the best yaw to the best clearly different yaw.
 
     Yaws that differ by a multiple of 2 pi / ``order`` are the same answer. ``rounds`` are one
     object's candidates, highest resolution first. Each rival is compared, at its highest
@@ -43,7 +43,7 @@ def margin(rounds: Rows, order: int = 1) -> float:
 
 
 def widths(objective: Objective, found: list[RotationCandidate]) -> list[float]:
-    """Return the change of yaw in radians, in (0, pi], that adds ``RISE`` to each object's loss.
+    """Return the change of yaw, in (0, pi] radians, that raises each loss by the fraction ``RISE``.
 
     It is computed from the second difference at the best pose of each object of the objective, and
     is pi if the loss has no minimum there.

@@ -135,7 +135,7 @@ class RotationConfig:
 
     @classmethod
     def quick(cls) -> RotationConfig:
-        """Return settings with fewer candidates, which are not compared at high resolution.
+        """Return faster settings, with fewer candidates and no comparison at high resolution.
 
         If front and back hardly differ, they are confused more often; rotational symmetry is not
         detected.

@@ -1,4 +1,4 @@
-"""Target images of the comparison, and the loss L_rot (Eq. 1) of all objects at once."""
+"""The images to which renders are compared, and the loss L_rot (Eq. 1) of all objects at once."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ _TOUCH = 0.08  # minimum fraction of a side that is occluded
 
 @dataclass(frozen=True, eq=False)
 class Target:
-    """Target images for the renders of ``s`` objects, as crops of one resolution.
+    """The images to which the renders of ``s`` objects are compared, as crops of one resolution.
 
     ``image`` is the crop over grey and ``mask`` is S, both smoothed like the renders; ``distance``
     is D_S divided by ``edge_unit``; ``features`` are Phi(I_instance); ``weight`` is the weight of
@@ -88,7 +88,7 @@ class Objective:
         return self.compare(self.render(poses), self.target, poses.owner)
 
     def place(self, poses: Candidates) -> tuple[Float[Tensor, "b 3 3"], Float[Tensor, "b 3"]]:
-        """Return the rotations from object to camera axes, and the centres in metres."""
+        """Return the candidates' rotations from object to camera axes and centres in metres."""
         from ...render import soft
 
         owner = poses.owner
@@ -110,7 +110,7 @@ class Objective:
     def compare(
         self, images: SoftImages, target: Target, owner: Int[Tensor, "b"]
     ) -> Float[Tensor, "b"]:
-        """Return the loss of Eq. 1 for each render, compared with row ``owner`` of the target."""
+        """Return the loss (Eq. 1) of each render against the target whose index is in ``owner``."""
         from ...render import soft
         from ...render.relight import relit
 
@@ -131,7 +131,7 @@ class Objective:
 
 @dataclass(frozen=True, eq=False)
 class Levels:
-    """Objectives of the same objects at three resolutions; ``close`` is computed on first use."""
+    """Objectives of the same objects at three resolutions; ``close()`` is created on first use."""
 
     coarse: Objective
     fine: Objective
@@ -276,7 +276,7 @@ _MOST = 0.3  # limit of the change of size, and of position as a fraction of the
 
 
 def reaching_past(objective: Objective, poses: Candidates, side: int) -> CropFit:
-    """Return the crop fit of candidates that match their boxes on all sides except ``side``.
+    """Return the shift and zoom at which candidates fit their boxes on all sides except ``side``.
 
     The two sides adjacent to it determine the size; the opposite side determines the position. A
     candidate that would end inside its box, or extend far beyond it, is fitted tightly instead.

@@ -24,7 +24,7 @@ SHARE = 0.05
 
 
 def prior_yaw(model: Model) -> float | None:
-    """Return the yaw, in [-pi, pi) radians, that is nearest to a model's orientation.
+    """Return the yaw, in [-pi, pi) radians, that best approximates a model's orientation.
 
     Returns None if the model has no orientation, or leans from the vertical by more than
     ``UPRIGHT``.
@@ -41,7 +41,7 @@ def agrees(yaw: float, prior: float | None) -> bool:
 
 
 def prefer(found: list[RotationCandidate], prior: float | None) -> list[RotationCandidate]:
-    """Return the candidates, with one that agrees with the prior moved to the front if possible.
+    """Return the candidates; one that agrees with the prior yaw comes first if it fits as well.
 
     If the best candidate does not agree with the prior, the supported one is the best that does. It
     is moved to the front only if the losses of the two cannot be distinguished.
@@ -57,7 +57,7 @@ def prefer(found: list[RotationCandidate], prior: float | None) -> list[Rotation
 
 
 def same_side(found: RotationCandidate, order: int, prior: float | None) -> RotationCandidate:
-    """Return a candidate, rotated by a multiple of 2 pi / ``order`` to agree with the prior.
+    """Return the candidate, rotated by a multiple of 2 pi / ``order`` to agree with the prior yaw.
 
     The object looks the same after that rotation. If there is no such multiple, the candidate is
     unchanged.

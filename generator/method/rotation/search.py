@@ -99,7 +99,7 @@ def _answer(
 def _starts(
     levels: Levels, priors: Sequence[float | None]
 ) -> tuple[Rows, list[bool], list[RotationCandidate | None], Rows]:
-    """Search all yaws; return starts, crowded flags, round candidates and all losses per object."""
+    """Return each object's starting yaws, whether it is ambiguous or round, and all its losses."""
     config = levels.coarse.config
     yaws = np.arange(0, 2 * np.pi - 1e-9, config.coarse_step)
     losses, places = coarse_search(levels.coarse, yaws)
@@ -133,7 +133,7 @@ def _starts(
 def _with_start(
     objective: Objective, number: int, found: list[RotationCandidate], yaw: float
 ) -> list[RotationCandidate]:
-    """Return ``found``, sorted by loss, adding a start at ``yaw`` (radians) unless one is near."""
+    """Return ``found``, with a start at ``yaw`` (radians) if it has none nearby, sorted by loss."""
     if any(abs(wrap(f.yaw - yaw)) < objective.config.separation / 3 for f in found):
         return found
     nearest = min(found, key=lambda f: abs(wrap(f.yaw - yaw)))
@@ -145,7 +145,7 @@ def _with_start(
 def coarse_search(
     objective: Objective, yaws: Float[np.ndarray, "n"]
 ) -> tuple[Float[np.ndarray, "s n"], list[list[Place]]]:
-    """Return the lowest loss of each object at each yaw (radians), and its crop position.
+    """Return each object's lowest loss at each yaw (radians), and the crop position that gives it.
 
     An object that may be occluded is also drawn so that it extends beyond its box, at one side at a
     time.
@@ -190,7 +190,7 @@ def losses_at(
     yaws: Float[np.ndarray, "n"],
     places: Sequence[Sequence[float]],
 ) -> Float[np.ndarray, "n"]:
-    """Return an object's losses at yaws (radians) and crop positions, without gradients."""
+    """Return an object's losses at given yaws (radians) and crop positions, without gradients."""
     import torch
 
     from ...render.soft import CropFit
@@ -209,7 +209,7 @@ def losses_at(
 def select(
     yaws: Float[np.ndarray, "n"], losses: Float[np.ndarray, "n"], config: RotationConfig
 ) -> list[int]:
-    """Return the indices of up to ``candidates`` yaws of least loss, ``separation`` apart."""
+    """Return the indices of up to ``candidates`` best yaws, at least ``separation`` apart."""
     chosen: list[int] = []
     for k in np.argsort(losses, kind="stable"):
         if all(abs(wrap(yaws[k] - yaws[n])) >= config.separation - 1e-6 for n in chosen):
@@ -284,7 +284,7 @@ def _rivals(
     config: RotationConfig,
     prior: float | None,
 ) -> list[RotationCandidate]:
-    """Return the best distinct candidates, one of which agrees with the prior if possible."""
+    """Return the best distinct candidates, one of which agrees with the prior yaw if possible."""
     kept: list[RotationCandidate] = []
     for candidate in sorted(found, key=lambda f: f.loss):
         near = any(abs(wrap(candidate.yaw - f.yaw)) < config.separation / 3 for f in kept)

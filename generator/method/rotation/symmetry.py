@@ -17,7 +17,7 @@ _TURNS = 24  # number of yaws that are compared with the first
 def looks_round(
     close: Callable[[], Objective], suspects: Bool[np.ndarray, "s"], flat: float
 ) -> Bool[np.ndarray, "s"]:
-    """Return which of the ``suspects`` hardly change in appearance when they are rotated.
+    """Return which of the objects in ``suspects`` look almost the same from all sides.
 
     ``close`` is a function that makes the objective which renders them; it is called only if there
     are suspects.

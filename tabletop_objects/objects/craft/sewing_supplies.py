@@ -342,7 +342,7 @@ def zipper(look: Look) -> Shape:
           aliases=("wooden bead", "glass bead", "plastic bead", "craft bead", "pearl bead"),
           themes=("craft",), colors=("red", "blue"), state="lying")  # fmt: skip
 def bead(look: Look) -> Shape:
-    """A single round, faceted or long bead with its hole horizontal."""
+    """A single round, faceted or long bead with a horizontal hole."""
     color = look.color(*HUES, "gold", "orange")
     d = look.between(0.01, 0.018)
     kind = look.pick(["round", "faceted", "long"])

@@ -37,7 +37,7 @@ def _between(a: RGB, b: RGB) -> RGB:
 
 
 def _rule(look: Look, x: float, y: float, color: RGB, line: RGB) -> Tile:
-    """Return a centimetre grid, with every fifth line thicker, inside a numbered border."""
+    """Return a centimetre grid, with every fifth line stronger, inside a numbered border."""
     wide, tall = 400, round(400 * y / x)
     image = prints.canvas(wide, tall, color)
     left, top = 0.05, 0.05 * x / y

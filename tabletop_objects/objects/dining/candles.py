@@ -153,7 +153,7 @@ def _socket(half: float, at: tuple[float, float, float]) -> tuple[Solid, list[Co
           assembled=True, aliases=("empty candle holder",), themes=("dining", "living"),
           roles=("tall",), holder=Holder("end", (0.05, 0.05, 0.3)))  # fmt: skip
 def empty_candlestick(look: Look) -> Shape:
-    """An empty turned candlestick, with arms if it holds several candles."""
+    """An empty turned candlestick, with arms if it is for several candles."""
     if int(look.attributes.get("places", 1)) > 1:
         return empty_candelabra(look)
     a, b, _ = read_room(look.attributes.get("room"), _ROOM)
@@ -172,7 +172,7 @@ def empty_candlestick(look: Look) -> Shape:
 
 
 def empty_candelabra(look: Look) -> Shape:
-    """An empty candelabra with arms in one plane, each carrying a socket."""
+    """An empty candelabrum with arms in one plane, each carrying a socket."""
     a, b, _ = read_room(look.attributes.get("room"), _ROOM)
     count = max(1, min(9, int(look.attributes.get("places", 3))))
     half, arms = max(a, b) / 2, max(count, 3)

@@ -19,7 +19,7 @@ Pieces = list[tuple[Solid, surfaces.Tile]]
 def _stem_profile(
     side: list[tuple[float, float]], foot: float, wet: tuple[RGB, float], clear: surfaces.Tile
 ) -> tuple[Pieces, list[ConvexPart]]:
-    """Return a stemmed glass whose cup has the profile ``side``, filled as given by ``wet``."""
+    """Return a stemmed glass with cup profile ``side``; ``wet`` is the drink's colour and level."""
     (low, cup), (rim, h) = side[0], side[-1]
     outer = np.array(side)
     inner = np.column_stack([np.maximum(outer[:, 0] - 0.0022, 0.001), outer[:, 1] + 0.003])[::-1]

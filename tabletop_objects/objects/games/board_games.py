@@ -144,7 +144,7 @@ def mills(look: Look, color: RGB) -> surfaces.Tile:
 
 
 def holes(rows: int, columns: int, wide: int, tall: int) -> Print:
-    """Return the print function of a board with rows of drilled holes and a few pegs."""
+    """Return a function that draws a board with rows of drilled holes and a few pegs."""
 
     def draw(look: Look, color: RGB) -> surfaces.Tile:
         image = surfaces.fit(surfaces.wood(look.rng, color), tall, wide).copy()
@@ -371,7 +371,7 @@ _checkers_set_Print = Callable[[Look, RGB], surfaces.Tile]
 def _board(
     side: float, draw: _checkers_set_Print, palette: tuple[str, ...]
 ) -> Callable[[Look], Shape]:
-    """A flat, square board with a print and a rim; ``draw`` also draws its pieces."""
+    """Return the shape function of a square game board; ``draw`` draws its print and its pieces."""
 
     def make(look: Look) -> Shape:
         k = look.between(0.94, 1.06) * side

@@ -82,7 +82,7 @@ def cereal_box(look: Look) -> Shape:
           themes=("kitchen", "food"), colors=("gray", "beige"), state="lying open",
           common=True)  # fmt: skip
 def egg_carton(look: Look) -> Shape:
-    """An open carton of eggs, or an empty one with the requested number of ``places``."""
+    """An open carton of eggs, or an empty one with as many cups as requested."""
     rows, pitch = 2, 0.048
     columns = int(look.pick([3, 5]))
     empty = look.attributes.get("state") == "empty"

@@ -15,13 +15,13 @@ from .nuts import Heap, heap
 
 
 def cheese_wheel(profile: list[tuple[float, float]], segments: int) -> Solid:
-    """Return a solid of revolution from a smooth curve through ``profile``."""
+    """Return a solid of revolution whose profile is a smooth curve through ``profile``."""
     curve = np.maximum(smooth(profile, 4), 0)
     return lathe(curve, segments)
 
 
 def wedge(flesh: tuple[str, ...], rind: RGB, veins: RGB | None):
-    """Return the shape function of a wedge of cheese with a rind and with veins or holes."""
+    """Return the shape function of a wedge of veined or speckled cheese with a rind."""
 
     def make(look: Look) -> Shape:
         r, h = look.between(0.1, 0.12), look.between(0.042, 0.055)

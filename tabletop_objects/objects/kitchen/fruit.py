@@ -93,7 +93,7 @@ def banana(look: Look) -> Shape:
 
 
 def _slice(body: Solid, ring: int) -> np.ndarray:
-    """Return the vertices near cross-section ``ring`` (0 to 12) of a banana, selected by angle."""
+    """Return the vertices of a banana that lie near its cross-section ``ring`` (0 to 12)."""
     p = body.vertices
     center = p[:, :2].mean(0) + np.array([0, 0.1])
     away = np.arctan2(*(p[:, :2] - center).T[::-1])
@@ -164,7 +164,7 @@ def grapes(look: Look) -> Shape:
 
 
 def _crease(solid: Solid, deep: float) -> Solid:
-    """Return the round fruit ``solid`` with a furrow from stalk to tip that faces the viewer."""
+    """Return the round fruit ``solid`` with a furrow from stalk to tip on the viewer's side."""
 
     def furrow(p: np.ndarray) -> np.ndarray:
         turn = np.arctan2(p[:, 1], p[:, 0]) + np.pi / 2 + 0.35
@@ -175,7 +175,7 @@ def _crease(solid: Solid, deep: float) -> Solid:
 
 
 def _fruit(d: float, tall: float, dip: float = 0.12) -> Solid:
-    """Return a round fruit of diameter ``d`` on a flat base, dented at its stalk."""
+    """Return a round fruit of diameter ``d`` and height ``tall``, dented at its stalk."""
     t = np.linspace(-np.pi / 2, np.pi / 2, 17)
     r, z = 0.5 * d * np.cos(t), 0.5 * tall * (1 + np.sin(t))
     z = z - dip * tall * np.exp(-((r / (0.16 * d)) ** 2)) * (np.sin(t) > 0)
@@ -184,7 +184,7 @@ def _fruit(d: float, tall: float, dip: float = 0.12) -> Solid:
 
 
 def _furrow(skin: surfaces.Tile) -> surfaces.Tile:
-    """Return a fruit's skin with a darker line along its furrow."""
+    """Return a copy of a fruit's texture with a darker line where its furrow is."""
     made = skin.copy()
     wide = made.shape[1]
     at = int(0.444 * wide)
@@ -303,7 +303,7 @@ def cherries(look: Look) -> Shape:
 def _ring(
     r: tuple[float, float], core: float, thick: float, palette: tuple[str, ...], rim: float
 ) -> Callable[[Look], Shape]:
-    """Return the shape function of a ring cut from a fruit."""
+    """Return the shape function of a ring cut from a fruit such as a pineapple."""
 
     def make(look: Look) -> Shape:
         size, color = look.between(*r), look.color(*palette)
@@ -352,7 +352,7 @@ def _wedge(
 
 
 def _crescent(r: float, half: float) -> Solid:
-    """Return the peel of a fruit segment."""
+    """Return the peel of a fruit segment of radius ``r`` and half angle ``half``."""
     rings = []
     for a in np.linspace(-1.5, 1.5, 13):
         rim = [(r * k * np.cos(a) * np.cos(b), r * k * np.cos(a) * np.sin(b))
@@ -397,7 +397,7 @@ BROWN: RGB = (112, 84, 54)
 
 @dataclass(frozen=True)
 class Globe:
-    """A round fruit; ``d`` is its range of widths in metres, and ``tall`` its relative height.
+    """A round fruit: ``d`` is the range of its width in metres, and ``tall`` is height / width.
 
     ``skin`` names its surface, ``bumps`` is its number of warts, spikes or hairs, and ``top`` names
     what is on its top. ``pear`` narrows it towards the top; ``lying`` lays it on its side.
@@ -421,7 +421,7 @@ def _ways(count: int, low: float = -0.72, high: float = 0.97) -> Float[np.ndarra
 
 
 def _over(kind: Globe, r: float, one: Callable[[], Solid], sink: float) -> Solid:
-    """Spread copies of ``one()``, which stands on z = 0, over a fruit's skin, sunk by ``sink``."""
+    """Return copies of ``one()``, a solid at z = 0, spread over a fruit and sunk in by ``sink``."""
     made = []
     for polar, around in _ways(kind.bumps):
         solid = one().move(z=-sink).turn(1, polar).turn(2, around)
@@ -480,7 +480,7 @@ def _peel(look: Look, kind: Globe, color: RGB) -> surfaces.Tile:
 
 
 def globe(kind: Globe) -> Callable[[Look], Shape]:
-    """Return the shape function of one kind of round fruit."""
+    """Return the shape function of the round fruit that ``kind`` describes."""
 
     def make(look: Look) -> Shape:
         d, color = look.between(*kind.d), look.color(*kind.colors)

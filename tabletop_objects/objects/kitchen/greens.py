@@ -17,7 +17,7 @@ from .vegetables import Pod, leafy, pod_of
 def _stalked_leaf(
     long: tuple[float, float], stalks: tuple[str, ...], thick: float, leaf: float, count: int
 ) -> Callable[[Look], Shape]:
-    """Return the shape function of leaves on broad stalks that meet at the base, lying flat."""
+    """Return the shape function of leaves lying flat, with broad stalks that meet at the base."""
 
     def make(look: Look) -> Shape:
         size, stalk = look.between(*long), look.color(*stalks)
@@ -64,7 +64,7 @@ def brussels_sprout(look: Look) -> Shape:
 
 
 def head(look: Look, r: float, layers: int, frill: float) -> Solid:
-    """Return a head of leaves: cupped sheets around a ball."""
+    """Return a head of lettuce, cabbage or the like: ``layers`` cupped leaves around a ball."""
     made = [ellipsoid(1.7 * r, 1.7 * r, 1.6 * r, 18, 10).move(z=0.82 * r)]
     for k in range(layers):
         turn = 2.4 * k

@@ -111,7 +111,7 @@ def chimney_starter(look: Look) -> Shape:
 
 def cube(form: tuple[float, float, float], palette: tuple[str, ...], spot: float, deep: float,
          soft: float = 0.0015) -> Callable[[Look], Shape]:  # fmt: skip
-    """Return the shape function of a small, spotted block: bread, wax, coal or a firelighter."""
+    """Return the shape function of a small, spotted block, such as a cube of bread or coal."""
 
     def make(look: Look) -> Shape:
         k = look.between(0.9, 1.12)
@@ -163,7 +163,7 @@ INK: RGB = (34, 36, 40)
 
 
 def turn_knob(r: float, x: float, y: float, z: float) -> Solid:
-    """Return a knob on a front panel."""
+    """Return a control knob of radius ``r`` at (x, y, z) on the front panel of an appliance."""
     return facing(cylinder(r, 0.012, 18, top=0.85 * r)).move(x, y, z)
 
 

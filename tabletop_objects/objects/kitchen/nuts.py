@@ -69,7 +69,7 @@ def pecan(look: Look) -> Shape:
 
 @dataclass(frozen=True)
 class Heap:
-    """A heap; ``r`` is its range of radii and ``grain`` the size of a grain, both in metres.
+    """A heap of grains; ``r`` is its range of radii and ``grain`` the size of a grain, in metres.
 
     ``form`` names the shape of a grain: "ball", "chip", "cube", "strand", "ring", or "powder" for
     no visible grains.
@@ -97,7 +97,7 @@ def _grain(form: str, d: float) -> Solid:
 
 
 def heap(kind: Heap) -> Callable[[Look], Shape]:
-    """Return the shape function of one kind of heap."""
+    """Return the shape function of the heap that ``kind`` describes."""
 
     def make(look: Look) -> Shape:
         r, color = look.between(*kind.r), look.color(*kind.colors)

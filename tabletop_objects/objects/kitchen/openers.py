@@ -63,7 +63,7 @@ def corkscrew(look: Look) -> Shape:
           themes=("kitchen", "dining"), roles=("flat",), colors=("silver", "black"),
           state="lying flat")  # fmt: skip
 def bottle_opener(look: Look) -> Shape:
-    """A bottle opener lying flat: a steel bar with an opening, or an opener with a handle."""
+    """A bottle opener lying flat: a steel ring with a tooth and a metal, plastic or wooden grip."""
     color = look.color("silver", "black", "red", "gold", "wooden", "teal", "blue")
     long, r = look.between(0.1, 0.13), look.between(0.017, 0.021)
     t = 0.004

@@ -208,24 +208,24 @@ _Placed = tuple[float, float, float, float, float, float]  # dimensions of a box
 
 
 def read_request(look: Look, places: int, room: Extent) -> tuple[int, Extent]:
-    """Return the requested number of slots and the size of the objects they must hold."""
+    """Return the requested number of slots and object size, or else ``places`` and ``room``."""
     count = int(look.attributes.get("places", places))
     return count, read_room(look.attributes.get("room"), room)
 
 
 def centres(count: int, pitch: float) -> list[float]:
-    """Return ``count`` evenly spaced positions centred at 0."""
+    """Return ``count`` positions with the spacing ``pitch``, centred at 0."""
     return [(k - (count - 1) / 2) * pitch for k in range(count)]
 
 
 def choose_slots(centres: list[float], count: int, z: float) -> list[Slot]:
-    """Return ``count`` slots spread evenly over the positions ``centres``."""
+    """Return ``count`` slots at height ``z``, spread evenly over the x positions ``centres``."""
     which = np.linspace(0, len(centres) - 1, count).round().astype(int)
     return [Slot(np.array([centres[k], 0.0, z])) for k in which]
 
 
 def _boards(boards: list[_Placed]) -> tuple[list[Solid], list[ConvexPart]]:
-    """Return the solids and the collision parts of ``boards``."""
+    """Return the solids and the collision boxes of boards with the given sizes and positions."""
     solids = [box(x, y, z).move(*at) for x, y, z, *at in boards]
     return solids, [box_part(x, y, z, at) for x, y, z, *at in boards]
 

@@ -104,7 +104,7 @@ def rollmop(look: Look) -> Shape:
           aliases=("plate of fish and chips", "fish supper", "fish & chips"),
           themes=("kitchen", "dining"), roles=("edible", "big"), colors=("white",))  # fmt: skip
 def fish_and_chips(look: Look) -> Shape:
-    """Battered fish on chips with peas and lemon on an oval plate."""
+    """Battered fish, chips, peas and lemon on an oval plate."""
     k = look.between(0.95, 1.05)
     plate = lathe([(0, 0), (0.6, 0), (1, 0.12), (0.98, 0.135), (0.62, 0.04), (0, 0.04)], 36).scale(
         0.15, 0.11, 0.15)  # fmt: skip

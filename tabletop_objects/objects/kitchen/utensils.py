@@ -238,7 +238,7 @@ def pastry_brush(look: Look) -> Shape:
           "drawing board"), themes=("kitchen",), roles=("support", "flat", "big"),
           colors=("wooden",), state="lying flat", common=True)  # fmt: skip
 def cutting_board(look: Look) -> Shape:
-    """A rectangular, rounded or paddle-shaped board of planks, end grain, plastic or slate."""
+    """A rectangular, rounded or paddle-shaped cutting board of wood, plastic or slate."""
     x, y, h = look.between(0.26, 0.34), look.between(0.17, 0.23), look.between(0.011, 0.022)
     color = look.color("wooden", "tan", "beige", "brown", "bronze")
     kind = int(look.rng.integers(5))
@@ -438,7 +438,7 @@ def with_handle(
     palette: tuple[str, ...] = HUES,
     r: float = 0.009,
 ) -> Callable[[Look], Shape]:
-    """Return the shape function of a tool that lies flat, with a head, a neck and a grip."""
+    """Return the shape function of a tool lying flat, with the given head, a neck and a grip."""
 
     def make(look: Look) -> Shape:
         long, color = look.between(*grip), look.color(*palette)
@@ -554,7 +554,7 @@ def _separator(look: Look, color: RGB, z: float) -> Pieces:
 
 
 def _balloon(look: Look, color: RGB, z: float) -> Pieces:
-    """Return the tube and the tip of a baster."""
+    """Return the graduated tube of a baster, with its tapered tip, at height ``z``."""
     pipe = (lathe([(0, 0), (0.011, 0), (0.0115, 0.13), (0.004, 0.17), (0.003, 0.2), (0, 0.2)],
                   18).turn(1, -np.pi / 2).move(0.0, 0, z))  # fmt: skip
     image = prints.canvas(96, 24, (214, 226, 230))

@@ -37,7 +37,7 @@ def tomato(look: Look) -> Shape:
 
 
 def root(look: Look, length: float, radii: list[float]) -> Solid:
-    """Return a slightly bent, round body along x; ``radii`` are given at evenly spaced points."""
+    """Return a slightly bent, round root along x, with ``radii`` at evenly spaced points."""
     bend = look.between(-0.008, 0.008)
     t = np.linspace(-1, 1, len(radii))
     radius = max(radii)
@@ -48,7 +48,7 @@ def root(look: Look, length: float, radii: list[float]) -> Solid:
 
 
 def halves(body: Solid, pieces: int) -> list[ConvexPart]:
-    """Return hulls of equally long sections of a body along x, each with a flat base on z = 0."""
+    """Return hulls of ``pieces`` equal sections of a body along x, with flat bases at z = 0."""
     p = body.vertices
     cuts = np.linspace(p[:, 0].min(), p[:, 0].max(), pieces + 1)
     width = (cuts[1] - cuts[0]) * 0.55
@@ -305,7 +305,7 @@ def _skin(look: Look, pod: Pod, color: RGB) -> surfaces.Tile:
 
 
 def pod_of(pod: Pod) -> Callable[[Look], Shape]:
-    """Return the shape function of one kind of long fruit, vegetable or pod."""
+    """Return the shape function of the fruit, vegetable or pod that ``pod`` describes."""
 
     def make(look: Look) -> Shape:
         long, color = look.between(*pod.long), look.color(*pod.colors)
@@ -360,7 +360,7 @@ WHITE: RGB = (240, 238, 222)
 
 
 def leafy(look: Look, color: RGB) -> surfaces.Tile:
-    """Return a leaf's surface with veins that are paler than ``color``."""
+    """Return a texture of a leaf of the given colour, with paler veins."""
     tile = surfaces.noise(look.rng, 96, 96, (5, 5), 3)[..., None] * 22
     veins = np.abs(np.sin(np.linspace(0, 22, 96)))[None, :, None] < 0.16
     image = np.where(veins, np.array(tint_color(color, 1.45)), np.array(color) + tile)

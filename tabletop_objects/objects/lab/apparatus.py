@@ -83,7 +83,7 @@ def breadboard(look: Look) -> Shape:
           "micro:bit", "network card", "microbit", "esp32"), themes=("lab", "workbench"),
           roles=("flat",), colors=("green", "blue"), state="lying flat")  # fmt: skip
 def circuit_board(look: Look) -> Shape:
-    """A microcontroller or single-board computer: a printed board with chips, headers and plugs."""
+    """A microcontroller or single-board computer: a circuit board with chips, pins and sockets."""
     x, y = look.pick([(0.0686, 0.0534), (0.085, 0.056), (0.045, 0.018)])
     color = look.color("teal", "blue", "green", "navy", "red", "purple", "black")
     base = tint_color(color, 0.72)
@@ -350,7 +350,7 @@ BLACK = surfaces.plain((34, 34, 37))
           colors=("white",))  # fmt: skip
 @from_pieces(bodies=3)
 def thermocycler(look: Look) -> Pieces:
-    """A thermocycler: a lid with a knob above its block."""
+    """A thermocycler: a case with a lid, a knob and a display on top."""
     shell = plastic(look, "white", "gray", "sky")
     return [(at_block(0.2, 0.26, 0.12, 0.02), shell), (at_block(0.14, 0.12, 0.035, 0.012,
                                                                 (0, 0.05, 0.118)),

@@ -592,7 +592,7 @@ def _vial(cap: str) -> Drawing:
 
 
 def _wells(rows: int, columns: int) -> Drawing:
-    """Return the drawing function of a plate with small wells, some with coloured liquid."""
+    """Return the drawing function of a plate with small wells, some of which hold liquid."""
 
     def draw(look: Look) -> Pieces:
         shell = plastic(look, "clear", "white", "black")

@@ -62,7 +62,7 @@ def sharps_container(look: Look) -> Pieces:
 
 
 def _cassette(kind: str) -> Drawing:
-    """Return the drawing function of a test strip or cassette with a window and lines."""
+    """Return the drawing function of a test strip or cassette whose window shows test lines."""
 
     def draw(look: Look) -> Pieces:
         lines = look.pick([1, 2])

@@ -48,7 +48,7 @@ BLACK = surfaces.plain((34, 34, 37))
           themes=("lab",), colors=("pink",))  # fmt: skip
 @from_pieces(bodies=5)
 def brain_model(look: Look) -> Pieces:
-    """A brain model: two folded halves, a striped cerebellum and a stem on a round black base."""
+    """A brain model on a round black base: two folded halves, a striped cerebellum and a stem."""
     color = look.color("pink", "beige", "coral")
     pieces: Pieces = []
 

@@ -35,7 +35,7 @@ def _tooth(gold: bool, long: float) -> Drawing:
 
 
 def _denture(full: bool) -> Drawing:
-    """Return the drawing function of a dental plate, or of a pair of jaws on a hinge."""
+    """Return the drawing function of a single denture, or of an open pair if ``full`` is set."""
 
     def draw(look: Look) -> Pieces:
         pieces: Pieces = []

@@ -211,7 +211,7 @@ TONES = ("brown", "black", "red", "tan", "navy", "teal", "pink", "mustard", "gra
 def _body(
     x: float, y: float, h: float, levels: list[tuple[float, float, float]], corner: float
 ) -> Solid:
-    """Return a bag's body; ``levels`` are (x factor, y factor, relative z) from the bottom up."""
+    """Return a bag's body; ``levels`` lists (x scale, y scale, relative z) from bottom to top."""
     outline = rectangle(1, 1, corner, 5)
     return loft(np.stack([np.column_stack([outline * [x * a, y * b], np.full(len(outline), h * z)])
                           for a, b, z in levels]), outline)  # fmt: skip

@@ -239,7 +239,7 @@ def wooden_box(look: Look) -> Shape:
           aliases=("musical box", "musical box toy"), themes=("living",),
           colors=("wooden", "red"))  # fmt: skip
 def music_box(look: Look) -> Shape:
-    """A music box with a crank and with its drum and comb visible on top."""
+    """A music box with a crank, whose drum and comb are visible on top."""
     color = look.color("wooden", "red", "brown", "teal", "navy", "pink")
     k = look.between(0.85, 1.2)
     base = block(0.09, 0.07, 0.045, 0.004, 0.002)

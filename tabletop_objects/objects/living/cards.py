@@ -109,7 +109,7 @@ def _scratch(look: Look, color: RGB) -> surfaces.Tile:
 
 def card(x: float, y: float, draw: Draw, palette: tuple[str, ...], tall: float = 0.0012
          ) -> Callable[[Look], Shape]:  # fmt: skip
-    """Return the shape function of a card lying face up, or of a deck if ``tall`` is over 3 mm."""
+    """Return the shape function of a card lying face up, or of a deck if ``tall`` >= 3 mm."""
 
     def make(look: Look) -> Shape:
         k = look.between(0.98, 1.03)

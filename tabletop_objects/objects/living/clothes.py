@@ -81,7 +81,7 @@ def cloth(look: Look, color: RGB) -> Tile:
 
 
 def mirror(half: list[tuple[float, float]]) -> np.ndarray:
-    """Return a symmetric outline whose right half is ``half``, from the bottom up."""
+    """Return the symmetric outline whose right half, from bottom to top, is ``half``."""
     right = np.array(half, float)
     left = right[::-1] * [-1, 1]
     return np.concatenate([right, left[np.abs(left[:, 0]) > 1e-9]])
@@ -416,7 +416,7 @@ TONES = ("white", "navy", "red", "gray", "teal", "black", "mustard", "pink", "gr
 
 
 def _pile(x: float, y: float, h: float, count: int) -> Solid:
-    """Return a stack of rounded layers of folded cloth."""
+    """Return a stack of ``count`` rounded layers of folded cloth with total height ``h``."""
     t = h / count
     return join([pad(x * (1 - 0.008 * n), y * (1 - 0.012 * n), t, 0.012, soft=0.5, steps=4)
                  .move(0, 0.002 * n, n * t) for n in range(count)])  # fmt: skip

@@ -103,7 +103,7 @@ GAY: tuple[RGB, ...] = ((226, 52, 60), (250, 200, 50), (60, 160, 84), (50, 120, 
 
 
 def _winding(long: float, wide: float, turns: float, count: int) -> np.ndarray:
-    """Return a winding path over the table along x."""
+    """Return ``count`` points of a path on the table that winds along x."""
     t = np.linspace(0, 1, count)
     return np.column_stack([long * (t - 0.5), wide * np.sin(2 * np.pi * turns * t), 0 * t])
 
@@ -144,7 +144,7 @@ def _flag(look: Look, tone: RGB, letter: str) -> surfaces.Tile:
 
 
 def bunting(word: str, cut: bool) -> Callable[[Look], Shape]:
-    """Return the shape function of a string of flags in an arc: triangles or lettered squares."""
+    """Return the shape function of a string of triangular or lettered flags, lying in an arc."""
 
     def make(look: Look) -> Shape:
         k = look.between(0.92, 1.08)
@@ -989,7 +989,7 @@ def jack_o_lantern(look: Look) -> Shape:
     r = 0.53 * d
 
     def carve(points: list[tuple[float, float]]) -> Solid:
-        """Return a dark patch on a pumpkin's front; (x, z) ``points`` are relative to its width."""
+        """Return a dark patch on a pumpkin's front; its corners (x, z) are in pumpkin widths."""
         plate = refine(refine(standing_plate(np.array(points) * d, 0.1 * d)))
 
         def wrap(p: np.ndarray) -> np.ndarray:
@@ -1172,7 +1172,7 @@ def zen_garden(look: Look) -> Pieces:
           colors=("copper",))  # fmt: skip
 @from_pieces(bodies=3)
 def wire_tree(look: Look) -> Pieces:
-    """A tree of twisted wire with bead leaves on a stone."""
+    """A tree of twisted wire on a stone, with beads as leaves."""
     wire = metal(look, "copper", "gold", "silver", "bronze")
     rock = ball(0.08, 0.06, 0.036, (0, 0, 0.01), 12)
     trunk = rod([(0, 0, 0.02), (0.006, 0.0, 0.06), (-0.004, 0, 0.095)], [0.011, 0.008, 0.007], 10)

@@ -122,7 +122,7 @@ def e_reader(look: Look) -> Shape:
           aliases=("remote", "tv remote", "remote controller"), themes=("living",), roles=("flat",),
           colors=("black",), state="lying flat", common=True)  # fmt: skip
 def remote_control(look: Look) -> Shape:
-    """A television remote lying flat with its buttons up, pointing away from the viewer."""
+    """A television remote control lying with its buttons up and pointing away from the viewer."""
     x, y, h = look.between(0.038, 0.052), look.between(0.145, 0.2), look.between(0.012, 0.021)
     color = look.color("black", "black", "charcoal", "white", "gray", "silver", "navy", "beige")
     body = block(x, y, h, look.pick([0.004, 0.012, 0.018]), 0.004)
@@ -451,7 +451,7 @@ def mp3_player(look: Look) -> Pieces:
           "socket adapter", "smart plug", "timer switch", "travel adaptor", "plug adaptor",
           "gender changer"), themes=("living", "office"), colors=("white", "black"))  # fmt: skip
 def travel_adapter(look: Look) -> Shape:
-    """A travel adapter lying on its back: a cube with sockets, and with pins on its side."""
+    """A travel adapter lying on its back: a cube with sockets on top and pins on one side."""
     color = look.color("white", "black", "gray", "red", "teal")
     k = look.between(0.9, 1.12)
     body = block(0.052, 0.048, 0.05, 0.008, 0.003)

@@ -54,7 +54,7 @@ SKIN: RGB = (232, 192, 158)
 
 
 def person(x: float, y: float, h: float, z: float = 0.0) -> tuple[Solid, Solid]:
-    """Return the robe and the head of a small wooden figure."""
+    """Return the robe and the head of a small wooden figure of height ``h``."""
     robe = lathe(
         [(0, 0), (0.26 * h, 0), (0.22 * h, 0.3 * h), (0.13 * h, 0.7 * h), (0, 0.74 * h)], 16
     )
@@ -143,13 +143,13 @@ def cake_topper(look: Look) -> Shape:
 
 
 def _cast(look: Look, *palette: str) -> surfaces.Tile:
-    """Return the texture of a cast figure, such as bronze, gold, stone or jade."""
+    """Return a metal or stoneware texture for a statue, in a colour from ``palette``."""
     color = look.color(*palette)
     return look.surface(color, look.pick(["metal", "stoneware"]))
 
 
 def _head(z: float, r: float) -> list[Solid]:
-    """Return a head with long ears, a bun and a topknot."""
+    """Return the parts of a Buddha's head: the head, long ears, hair and a topknot."""
     ears = [ball(0.2 * r, 0.35 * r, 0.9 * r, (s * 0.9 * r, 0, z - 0.15 * r), 8) for s in (-1, 1)]
     return [ball(1.75 * r, 1.8 * r, 2.1 * r, (0, 0, z), 18), *ears,
             ball(1.85 * r, 1.8 * r, 1.5 * r, (0, 0.12 * r, z + 0.5 * r), 16),
@@ -157,7 +157,7 @@ def _head(z: float, r: float) -> list[Solid]:
 
 
 def _face(z: float, y: float, r: float) -> list[Solid]:
-    """Return closed eyes and a mouth."""
+    """Return the closed eyes and the mouth of a Buddha's face."""
     eyes = [ball(0.42 * r, 0.12 * r, 0.1 * r, (s * 0.38 * r, y + 0.06 * r, z + 0.08 * r), 8)
             for s in (-1, 1)]  # fmt: skip
     return [*eyes, ball(0.5 * r, 0.12 * r, 0.1 * r, (0, y + 0.06 * r, z - 0.5 * r), 8)]
@@ -169,7 +169,7 @@ def _face(z: float, y: float, r: float) -> list[Solid]:
           colors=("gold", "bronze"))  # fmt: skip
 @from_pieces(bodies=4)
 def buddha_statue(look: Look) -> Pieces:
-    """A seated Buddha with crossed legs and its hands in its lap, on a lotus seat."""
+    """A seated Buddha with crossed legs and with hands in the lap, on a lotus seat."""
     tile = _cast(look, "gold", "bronze", "gray", "sage", "charcoal")
     seat = standing((0.055, 0), (0.06, 0.006), (0.05, 0.014), (0.056, 0.024), (0.05, 0.026))
     legs = [ball(0.062, 0.042, 0.03, (s * 0.03, -0.012, 0.036), 16) for s in (-1, 1)]
@@ -343,7 +343,7 @@ GOLD = (222, 180, 80)
 
 
 def _trunk(color: RGB, look: Look) -> tuple[Solid, Pieces]:
-    """Return a figure's round coat as a solid, and as pieces with its trim, belt and buckle."""
+    """Return the solid of a figure's coat, and the textured coat, trim, belt and buckle."""
     coat = lathe([(0, 0), (0.036, 0), (0.04, 0.014), (0.03, 0.056), (0.018, 0.078), (0, 0.082)], 22)
     trim = torus(0.037, 0.0055, 24, 8).move(z=0.0075)
     belt = torus(0.0372, 0.0045, 24, 6).scale(1, 1, 1.2).move(z=0.03)
@@ -419,7 +419,7 @@ def snowman(look: Look) -> Shape:
           "christmas nutcracker"), themes=("living",), roles=("tall",),
           colors=("red",))  # fmt: skip
 def nutcracker(look: Look) -> Shape:
-    """A nutcracker soldier with a tall hat, a white beard and a red coat on a round base."""
+    """A nutcracker soldier on a round base, with a tall hat, a white beard and a red coat."""
     color = look.color("red", "blue", "green", "purple")
     coat = surfaces.speckles(look.rng, color, 4)
     skin = surfaces.plain((240, 200, 170))
@@ -704,7 +704,7 @@ def matryoshka(look: Look) -> Shape:
 
 
 def _paint(look: Look, color: RGB, scarf: RGB) -> Tile:
-    """Return a doll's texture; u runs around it (face in the middle), and v from base to crown."""
+    """Return a nesting doll's texture: u runs around it, with the face at 0.5, and v upwards."""
     image = prints.canvas(256, 192, color)
     apron, petal = (look.own_color("cream", "white", "mustard", "sky"),
                     look.own_color("red", "pink", "blue"))  # fmt: skip

@@ -23,7 +23,7 @@ GREEN: RGB = (84, 126, 64)
 
 
 def layered_head(rows: Rows, heart: float = 0.0, eye: RGB | None = GOLD, fade: float = 0.1) -> Head:
-    """Return the drawing function of overlapping rings of petals, darker towards the centre."""
+    """Return the drawing function of a flower with rings of petals, darker towards the centre."""
 
     def head(look: Look, color: RGB) -> Pieces:
         made: Pieces = []
@@ -43,7 +43,7 @@ def layered_head(rows: Rows, heart: float = 0.0, eye: RGB | None = GOLD, fade: f
 
 def open_head(count: int, long: float, wide: float, lift: float, heart: float, eye: RGB,
           ring: RGB | None = None, pistil: float = 0.0) -> Head:  # fmt: skip
-    """Return the drawing function of broad petals around a centre, with a ring or a pistil."""
+    """Return the drawing function of a flower with broad petals and an optional ring or pistil."""
 
     def head(look: Look, color: RGB) -> Pieces:
         made: Pieces = [(join(corolla(count, long, wide, lift)),
@@ -63,7 +63,7 @@ def open_head(count: int, long: float, wide: float, lift: float, heart: float, e
 
 
 def cluster(count: int, radius: float, size: float, eye: RGB | None = None) -> Head:
-    """Return the drawing function of a dome of small, four-petalled florets."""
+    """Return the drawing function of a flower head: a dome of small, four-petalled florets."""
 
     def head(look: Look, color: RGB) -> Pieces:
         florets, dots = [], []
@@ -96,7 +96,7 @@ def bell(r: float, long: float) -> Solid:
 
 def spike(count: int, long: float, wide: float, size: float, droop: float, *, one_side: bool = False
           ) -> Head:  # fmt: skip
-    """Return the drawing function of bell-shaped flowers on a stem, tilted down by ``droop``."""
+    """Return the drawing function of a spike of bell-shaped flowers, tilted down by ``droop``."""
 
     def head(look: Look, color: RGB) -> Pieces:
         bells = []
@@ -141,7 +141,7 @@ def iris(look: Look, color: RGB) -> Pieces:
 
 
 def cup(count: int, long: float, wide: float, lift: float) -> Head:
-    """Return the drawing function of a cup of upright petals with gold stamens."""
+    """Return the drawing function of a cup-shaped flower with upright petals and gold stamens."""
 
     def head(look: Look, color: RGB) -> Pieces:
         ring = [p.move(z=0.001) for p in corolla(count, long, wide, lift)]
@@ -238,7 +238,7 @@ Head = Callable[[Look, RGB], Pieces]
 
 
 def corolla(count: int, long: float, wide: float, lift: float, start: float = 0.0) -> list[Solid]:
-    """Return flat petals around the z axis, raised by the angle ``lift``."""
+    """Return ``count`` flat petals around the z axis, each raised by the angle ``lift``."""
     petal = ellipsoid(long, wide, 0.0035, 8, 4).move(x=0.5 * long).turn(1, -lift)
     return [petal.turn(2, start + 2 * np.pi * k / count) for k in range(count)]
 

@@ -83,7 +83,7 @@ def _waist_outline(half: list[tuple[float, float]], k: float) -> np.ndarray:
 
 
 def _slabs(outline: np.ndarray, low: float, high: float, cuts: list[float]) -> list[ConvexPart]:
-    """Cut a plate with the given outline at the x values ``cuts`` and return its convex parts."""
+    """Return the convex parts of a plate with the given outline, cut at the x values ``cuts``."""
     found = []
     for a, b in itertools.pairwise(cuts):
         inside = outline[(outline[:, 0] >= a - 1e-9) & (outline[:, 0] <= b + 1e-9)]
@@ -263,7 +263,7 @@ def kalimba(look: Look) -> Pieces:
 
 
 def _bellows(sides: int | None, wide: float) -> Drawing:
-    """Return the drawing function of bellows on their side, between two ends with buttons."""
+    """Return the drawing function of an accordion, or of a concertina with polygonal ends."""
 
     def draw(look: Look) -> Pieces:
         shell = plastic(look, "red", "black", "maroon", "navy", "white")
@@ -625,7 +625,7 @@ BRASSY = ("gold", "gold", "brass", "silver")
 
 
 def _bell(x: float, y: float, z: float, r: float, long: float) -> Solid:
-    """Return a flared bell that starts at ``x`` and opens towards +x."""
+    """Return the flared bell of a brass instrument, starting at ``x`` and opening towards +x."""
     outer = [(0.0065, 0), (0.009, 0.5 * long), (0.4 * r, 0.8 * long), (r, long)]
     inner = [(0.96 * r, long), (0.36 * r, 0.8 * long), (0.006, 0.4 * long)]
     return lathe([*outer, *inner], 24, loop=True).turn(1, np.pi / 2).move(x, y, z)

@@ -256,7 +256,7 @@ def led_strip(look: Look) -> Shape:
           aliases=("lamp holder", "lamp socket", "bulb socket", "light socket", "light bulb holder",
           "light fitting"), themes=("living",), colors=("black",))  # fmt: skip
 def bulb_holder(look: Look) -> Shape:
-    """A lamp socket standing on its cap, with wires and with a thread inside its open end."""
+    """A lamp socket standing on its cap, with wires and a screw thread in its open end."""
     k = look.between(0.94, 1.06)
     color = look.color("black", "white", "brass", "brown")
     body = lathe([(0, 0), (0.019, 0), (0.021, 0.004), (0.021, 0.02), (0.0185, 0.024),

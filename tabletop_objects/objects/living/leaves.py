@@ -44,7 +44,7 @@ def holly(look: Look) -> Shape:
 
 
 def tint(tile: surfaces.Tile) -> surfaces.Tile:
-    """Return a darker copy of ``tile``."""
+    """Return a darker copy of the texture ``tile``."""
     return (tile * 0.72).astype(np.uint8)
 
 

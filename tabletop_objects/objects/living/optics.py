@@ -94,7 +94,7 @@ def telescope(look: Look) -> Shape:
 
 
 def _half_leg(n: int, k: float, high: float) -> tuple[float, float, float]:
-    """Return a point halfway down leg ``n`` of a telescope's tripod."""
+    """Return the midpoint of leg ``n`` of a telescope's tripod."""
     a = np.pi / 2 + 2 * np.pi * n / 3
     return 0.05 * k * float(np.cos(a)), 0.05 * k * float(np.sin(a)), 0.5 * (high - 0.02) * k
 

@@ -111,7 +111,7 @@ def _trim(image: Canvas, look: Look, land: RGB) -> None:
 
 
 def _crease(image: Canvas, columns: int, rows: int) -> None:
-    """Draw creases that are pale in the middle and shaded at the sides."""
+    """Draw the creases of a folded map: pale lines with a shadow along one side."""
     for k in range(1, columns):
         at = k * WIDE // columns
         image[:, at] = image[:, at] * 0.35 + 0.65 * 252
@@ -123,7 +123,7 @@ def _crease(image: Canvas, columns: int, rows: int) -> None:
 
 
 def _wander(look: Look, across: bool, rough: float = 0.16) -> list[tuple[float, float]]:
-    """Return a winding line from edge to edge."""
+    """Return the points of a line that winds from one edge of a map to the opposite edge."""
     t = np.linspace(0, 1, 60)
     away = look.between(0.2, 0.8) + rough * surfaces.noise(look.rng, 2, 60, (1, 4), 3)[0]
     pair = (t, away) if across else (away, t)
@@ -195,7 +195,7 @@ def _world(image: Canvas, look: Look, land: RGB) -> None:
 
 
 def _old(image: Canvas, look: Look, land: RGB) -> None:
-    """Draw an old parchment chart with an island, a dashed course to a cross and a compass."""
+    """Draw an old parchment chart with an island, a compass and a dashed course to a cross."""
     stain = surfaces.noise(look.rng, TALL, WIDE, (4, 5), 4)[..., None]
     parchment = np.array(look.pick([(222, 192, 140), (206, 170, 116), (232, 210, 164)]), float)
     image[:] = np.clip(parchment + 22 * stain, 0, 255)
@@ -311,7 +311,7 @@ def folded_map(look: Look) -> Shape:
 
 
 def _sheet(a: np.ndarray, b: np.ndarray, c: np.ndarray, d: np.ndarray) -> Solid:
-    """Return a 0.2 mm thick sheet with the given corners; a-b is the lower edge of its picture."""
+    """Return a 0.2 mm thick sheet; the lower edge of its picture is from corner ``a`` to ``b``."""
     low = np.stack([a, b, c, d])
     faces = [(4, 5, 6), (4, 6, 7), (0, 2, 1), (0, 3, 2), (0, 1, 5), (0, 5, 4), (1, 2, 6), (1, 6, 5),
              (2, 3, 7), (2, 7, 6), (3, 0, 4), (3, 4, 7)]  # fmt: skip

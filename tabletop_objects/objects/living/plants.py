@@ -229,7 +229,7 @@ def _flowers(look: Look, kind: PlantForm, base: float, r: float, tips: list[Poin
 
 
 def plant(kind: PlantForm) -> Callable[[Look], Shape]:
-    """Return the shape function of one kind of potted plant."""
+    """Return the shape function of the potted plant that ``kind`` describes."""
 
     def make(look: Look) -> Shape:
         r, h = look.between(0.045, 0.058), look.between(0.065, 0.085)
@@ -295,7 +295,7 @@ def succulent(look: Look) -> Shape:
 
 
 def leaf_blade(length: float, width: float, angle: float, lift: float) -> Solid:
-    """Return a thin, curved leaf that starts at the origin and points along ``angle``."""
+    """Return a thin, curved leaf from the origin in the horizontal direction ``angle``."""
     t = np.linspace(0, 1, 7)
     half = width / 2 * np.sin(np.pi * np.clip(t * 0.94 + 0.03, 0, 1)) ** 0.75
     rise = length * (np.sin(lift) * t - 0.35 * np.cos(lift) * t**2)
@@ -309,7 +309,7 @@ def leaf_blade(length: float, width: float, angle: float, lift: float) -> Solid:
 
 
 def cactus_plant(look: Look, green: RGB, h: float, r: float) -> tuple[Pieces, list[ConvexPart]]:
-    """Return a cactus: a column, a ball or paddles, with ribs, spines and a bloom."""
+    """Return a cactus (a column, a ball or paddles, with a bloom) and its collision parts."""
     ribs = surfaces.stripes([green, tint_color(green, 0.7)], 9, upright=True, side=128).copy()
     for row in range(4, 128, 12):
         ribs[row : row + 2, 3::14] = (240, 236, 210)

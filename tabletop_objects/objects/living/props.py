@@ -101,7 +101,7 @@ def hook_hand(look: Look) -> Shape:
           "selfie prop", "fake moustaches"), themes=("living",), colors=("black",),
           state="lying flat")  # fmt: skip
 def photo_prop(look: Look) -> Shape:
-    """A photo prop on a stick: a cardboard moustache, lips, glasses or top hat."""
+    """A cardboard photo prop on a stick: a moustache, lips, glasses or a top hat."""
     k = look.between(0.9, 1.1)
     kind = look.pick(["moustache", "lips", "hat", "moustache"])
     color = look.color("black", "red", "black", "purple")
@@ -285,7 +285,7 @@ def coffin(look: Look) -> Shape:
           aliases=("ouija board", "ouija", "talking board", "witch board"), themes=("living",),
           roles=("big", "support"), colors=("tan",), state="lying flat")  # fmt: skip
 def spirit_board(look: Look) -> Shape:
-    """A board with letters, numbers, YES and NO, and a heart-shaped pointer."""
+    """A spirit board with letters, digits, the words YES and NO, and a heart-shaped pointer."""
     k = look.between(0.94, 1.06)
     color = look.color("tan", "beige", "wooden", "brown")
     x, y = 0.36 * k, 0.25 * k
@@ -316,7 +316,7 @@ def spirit_board(look: Look) -> Shape:
 
 
 def pointer_solid(k: float) -> Solid:
-    """Return a heart-shaped pointer with a round window, 5 mm thick."""
+    """Return a heart-shaped pointer for a spirit board, 5 mm thick and scaled by ``k``."""
     half = smooth(
         [(0.0, 0.055), (0.026, 0.016), (0.036, -0.014), (0.024, -0.034), (0.0, -0.026)], 4
     )

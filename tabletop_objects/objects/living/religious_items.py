@@ -97,7 +97,7 @@ def _beads(cross: bool) -> Drawing:
 
 def _cup(lid: bool) -> Callable[[Look], Shape]:
     def make(look: Look) -> Shape:
-        """A metal chalice: a cup on a knobbed stem; with ``lid``, a cover with a cross."""
+        """A metal chalice: a cup on a knobbed stem, with a cover and a cross if ``lid`` is set."""
         k = look.between(0.9, 1.1)
         tile = metal(look, "gold", "gold", "silver")
         stem = lathe([(0, 0), (0.045, 0), (0.046, 0.006), (0.03, 0.014), (0.009, 0.03),
@@ -318,7 +318,7 @@ def communion_wafer(look: Look) -> Pieces:
           colors=("gold",))  # fmt: skip
 @from_pieces()
 def reliquary(look: Look) -> Pieces:
-    """A reliquary: a golden, house-shaped box with gems, and with a cross on its roof."""
+    """A reliquary: a golden, house-shaped box with gems and a cross on its roof."""
     gold = metal(look, "gold", "gold", "silver")
     body = at_box(0.12, 0.07, 0.06, (0, 0, 0.012))
     foot = at_block(0.13, 0.08, 0.012, 0.004)
@@ -517,7 +517,7 @@ FLAME = surfaces.gradient((250, 160, 40), (255, 236, 140), np.random.default_rng
 
 
 def branch(look: Look, arms: int, candles: bool) -> Shape:
-    """Return a stand with ``arms`` candle holders in one plane, the middle one on its stem."""
+    """Return a stand with ``arms`` candle holders in a plane, the middle one on the stem."""
     color = look.color("gold", "silver", "black", "brass", "bronze")
     metal = look.surface(color, "metal")
     half, top = (arms - 1) // 2, 0.13

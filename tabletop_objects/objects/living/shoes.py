@@ -172,7 +172,7 @@ def shoe(look: Look) -> Shape:
 
 
 def _sole(grow: float = 1.0) -> np.ndarray:
-    """Return the outline of a sole, 0.26 m long, with its toe on the left."""
+    """Return the outline of a shoe sole, ``grow`` times 0.26 m long, with its toe on the left."""
     half = smooth([(-0.13, 0.0), (-0.115, 0.03), (-0.07, 0.046), (-0.01, 0.038), (0.05, 0.032),
                    (0.1, 0.034), (0.125, 0.02), (0.13, 0.0)], 2)  # fmt: skip
     curve = half * [1, 1] * grow
@@ -180,7 +180,7 @@ def _sole(grow: float = 1.0) -> np.ndarray:
 
 
 def _upper(levels: list[tuple[float, float, float, float]]) -> Solid:
-    """Return a shoe's upper from its levels (x scale, y scale, x shift, z), from bottom to top."""
+    """Return a shoe's upper; ``levels`` lists (x scale, y scale, x shift, z) from bottom to top."""
     base = _sole()
     return loft(np.stack([np.column_stack([base * [a, b] + [x, 0], np.full(len(base), z)])
                           for a, b, x, z in levels]), base)  # fmt: skip

@@ -14,7 +14,7 @@ from ...kit.surfaces import Look, plain, tint_color
 
 
 def _thirds(count: int) -> list[tuple[int, int]]:
-    """Return the index ranges of four equal runs of ``count`` points along a hose."""
+    """Return the index ranges that split the ``count`` points of a hose into four equal parts."""
     step = count // 4
     return [(n * step, (n + 1) * step if n < 3 else count) for n in range(4)]
 

@@ -120,7 +120,7 @@ def pill_organizer(look: Look) -> Shape:
 def _bottle(
     titles: tuple[str, ...], glass: tuple[str, ...], radius: float, height: float, cap: str
 ) -> Callable[[Look], Shape]:
-    """Return the shape function of a medicine bottle with the ``cap`` "screw", "drop" or "swab"."""
+    """Return the shape function of a medicine bottle; ``cap`` is "screw", "drop" or "swab"."""
 
     def make(look: Look) -> Shape:
         k = look.between(0.92, 1.1)

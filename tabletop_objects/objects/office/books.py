@@ -162,7 +162,7 @@ def open_book(look: Look) -> Shape:
 
 
 def _arch(reach: float, edge: float) -> Float[np.ndarray, "k 2"]:
-    """Return a page's curve from the spine at x = 0 to x = ``reach``, down to height ``edge``."""
+    """Return the (x, z) curve of a page from the spine at x = 0 to the point (reach, edge)."""
     t = np.array([0, 0.05, 0.12, 0.2, 0.3, 0.45, 0.65, 0.85, 1])
     rise = np.sin(np.pi / 2 * np.minimum(t / 0.3, 1))
     fall = np.maximum(t - 0.3, 0) ** 2 / 0.49
@@ -172,14 +172,14 @@ def _arch(reach: float, edge: float) -> Float[np.ndarray, "k 2"]:
 
 
 def _floor(row: Float[np.ndarray, "k 3"]) -> Float[np.ndarray, "2 3"]:
-    """Return the ends of a page's edge ``row``, lowered onto the cover."""
+    """Return the first and last points of ``row``, a page's edge, lowered onto the cover."""
     ends = row[[0, -1]].copy()
     ends[:, 2] = BOARD
     return ends
 
 
 def _page(look: Look, kind: str, paper: RGB, side: int) -> Tile:
-    """Return the page to the left (-1) or right (1) of the spine, darker towards the spine."""
+    """Return the texture of a left (-1) or right (1) page, which is darker towards the spine."""
     image = prints.canvas(136, 192, paper)
     {"novel": _novel, "textbook": _textbook, "picture": _picture, "recipe": _recipe,
      "ruled": _rule, "music": _music}[kind](image, look, side)  # fmt: skip

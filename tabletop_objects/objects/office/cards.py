@@ -37,7 +37,7 @@ Draw = Callable[[Look, RGB], surfaces.Tile]
 def _card(
     x: float, y: float, h: float, draw: Draw, palette: tuple[str, ...], count: int = 1
 ) -> Callable[[Look], Shape]:
-    """Return the shape function of a card or of a small pile of them; ``draw`` prints the face."""
+    """Return the shape function of a card or a pile of cards; ``draw`` prints the face."""
 
     def make(look: Look) -> Shape:
         k = look.between(0.98, 1.03)

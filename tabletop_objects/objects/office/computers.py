@@ -401,7 +401,7 @@ USB_STICK_DARK: RGB = (36, 37, 41)
           themes=("office", "gaming"), roles=("flat",), colors=("black", "red"),
           state="lying flat")  # fmt: skip
 def usb_stick(look: Look) -> Shape:
-    """A USB stick: capped, with a swivelling metal cover, or all metal."""
+    """A USB stick: plain, with a swivelling metal cover or with a printed label."""
     x, y, h = look.between(0.038, 0.046), look.between(0.015, 0.019), look.between(0.007, 0.009)
     color = look.color("black", "red", "blue", "silver", "white", "green", "orange", "purple")
     steel = surfaces.plain((198, 200, 206))

@@ -103,7 +103,7 @@ def handle(
     thick: float,
     kind: str = "ear",
 ) -> Solid:
-    """Return an ear-shaped, square or ring-shaped handle on the +x side of a wall.
+    """Return an ear-shaped, square or ring-shaped handle on the +x side of a vessel's wall.
 
     ``radii`` are the radii of the wall at the heights ``low`` and ``high``.
     """
@@ -118,12 +118,12 @@ def handle(
 
 
 def handle_part(radius: float, low: float, high: float, reach: float, thick: float) -> ConvexPart:
-    """Return the collision box of a handle."""
+    """Return the collision box of a vessel's handle."""
     return box_part(reach, 2 * thick, high - low, (radius + reach / 2, 0, low))
 
 
 def drink(look: Look, radius: float, height: float) -> list[tuple[Solid, surfaces.Tile]]:
-    """Return the surface of a drink, or an empty list; most cups are empty by default."""
+    """Return the surface of a cup's drink, or an empty list; most cups are empty by default."""
     full, color = look.chance(0.3), look.pick(DRINKS)
     said = contents(look, radius, height)
     if said is not None:

@@ -227,7 +227,7 @@ def _mesh_speaker(look: Look, color: RGB, x: float, y: float, z: float) -> Shape
 
 
 def _mark(color: RGB, y: float, z: float, shown: bool) -> list[tuple[Solid, surfaces.Tile]]:
-    """Return a logo on the front if ``shown``, or an empty list."""
+    """Return the logo on the front of an earbud case, or an empty list if not ``shown``."""
     mark = box(0.012, 0.0008, 0.005).move(y=-y / 2, z=0.74 * z)
     return [(mark, surfaces.plain(tint_color(color, 0.5)))] if shown else []
 

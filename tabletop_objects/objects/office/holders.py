@@ -222,7 +222,7 @@ CLEAR: RGB = (214, 226, 230)
 
 def _acrylic(page: Callable[[Look, RGB, int, int], surfaces.Tile], form: tuple[float, float],
              pocket: bool) -> Callable[[Look], Shape]:  # fmt: skip
-    """Return the shape function of a clear, leaning page holder; with ``pocket``, for leaflets."""
+    """Return the shape function of a leaning holder for a page, or for leaflets if ``pocket``."""
 
     def make(look: Look) -> Shape:
         k = look.between(0.94, 1.06)
@@ -434,7 +434,7 @@ def pencil_holder(look: Look) -> Shape:
 def _leaning(
     way: np.ndarray, low: float, reach: float, rim: float, top: float, start: float = 0.006
 ) -> Solid:
-    """Return a rod that leans outwards against a rim, or its tip if ``start`` is over 1 cm."""
+    """Return a pen that leans outwards against a cup's rim, or its tip if ``start`` > 1 cm."""
     hexagon = np.array([[np.cos(a), np.sin(a)] for a in np.pi / 3 * np.arange(6)])
     tip = start > 0.01
     rings = []

@@ -274,7 +274,7 @@ def van_de_graaff_generator(look: Look) -> Pieces:
 @vary(0.08)
 @from_pieces()
 def radiometer(look: Look) -> Pieces:
-    """A light mill: a glass bulb, modelled as a wire cage, on a base, with four vanes inside."""
+    """A light mill on a base: four vanes in a glass bulb, which is modelled as a wire cage."""
     foot = standing((0.035, 0), (0.034, 0.006), (0.012, 0.014), (0.01, 0.035), (0.016, 0.045))
     glass = surfaces.plain((206, 224, 232))
     hoops = [torus(0.04, 0.0012, 32, 5).turn(0, np.pi / 2).turn(2, a).move(z=0.085)

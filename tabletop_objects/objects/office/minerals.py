@@ -53,7 +53,7 @@ def _metallic(look: Look, color: RGB) -> surfaces.Tile:
 
 def _rough(colors: tuple[str, ...], skin: Skin, size: tuple[float, float, float], corners: int
            ) -> Drawing:  # fmt: skip
-    """Return the drawing function of a rough stone of one kind."""
+    """Return the drawing function of a rough stone of the given colours, texture and size."""
 
     def draw(look: Look) -> Pieces:
         color = look.color(*colors)

@@ -16,7 +16,7 @@ from .papers import GRAY, INK, paper
 
 
 def _face(look: Look, color: RGB) -> surfaces.Tile:
-    """Return the face of a coin with a rim and with a head or a number."""
+    """Return the texture of a coin's face: a head or a number within a rim."""
     image = prints.canvas(96, 96, color)
     dark, pale = tint_color(color, 0.62), tint_color(color, 1.3)
     prints.disc(image, 0.5, 0.5, 0.46, pale, 0.43)
@@ -123,7 +123,7 @@ def money_bag(look: Look) -> Pieces:
 
 
 def _bar(palette: tuple[str, ...], metal: str, long: tuple[float, float]):
-    """Return the shape function of a cast bar, narrower at the top, with its value on top."""
+    """Return the shape function of a cast metal bar with slanted sides and a stamp on top."""
 
     def make(look: Look) -> Shape:
         x = look.between(*long)
@@ -146,7 +146,7 @@ def _bar(palette: tuple[str, ...], metal: str, long: tuple[float, float]):
 
 
 def _note(look: Look, color: RGB, value: str) -> surfaces.Tile:
-    """Return the face of a banknote."""
+    """Return the texture of a banknote's face, which shows ``value``."""
     image = prints.canvas(160, 72, tint_color(color, 1.45))
     for k in range(24):
         prints.stroke(image, [(k / 24, 0), (k / 24 + 0.12, 1)], 0.01, tint_color(color, 1.25))

@@ -180,7 +180,7 @@ def potted_plant(look: Look) -> Shape:
 def _leaves(
     look: Look, green: RGB, h: float, r: float, kind: str
 ) -> tuple[Pieces, list[ConvexPart]]:
-    """Return a crown of leaves around a short trunk, or a rosette."""
+    """Return a plant's leaves on a short trunk or in a rosette, and their collision parts."""
     rosette = kind == "succulent"
     count = {"succulent": 24, "broad": 12}.get(kind, 22)
     tile = surfaces.leaf(look.rng, green).transpose(1, 0, 2)
@@ -221,7 +221,7 @@ def _blossoms(look: Look, green: RGB, h: float) -> Pieces:
 
 
 def _blades(look: Look, green: RGB, h: float, r: float) -> tuple[Pieces, list[ConvexPart]]:
-    """Return upright blades with pale edges, or fine grass."""
+    """Return upright blades with pale edges, or fine grass, and their collision parts."""
     fine = look.chance(0.35)
     edge = tint_color(green, 1.4) if fine else look.pick([(222, 206, 110), tint_color(green, 1.5)])
     image = surfaces.stripes([edge, green, tint_color(green, 0.75), green, edge], 1, upright=True)
@@ -243,7 +243,7 @@ def _blades(look: Look, green: RGB, h: float, r: float) -> tuple[Pieces, list[Co
 
 
 def _bonsai(look: Look, green: RGB, h: float, r: float) -> tuple[Pieces, list[ConvexPart]]:
-    """Return a bent trunk with clouds of leaves."""
+    """Return a bonsai: a bent trunk with clouds of leaves, and the collision parts of both."""
     z, lean = 0.86 * h, look.between(-0.02, 0.02)
     path = smooth(
         [(0, 0, z), (0.016 + lean, 0.004, z + 0.035), (lean - 0.012, 0, z + 0.07),

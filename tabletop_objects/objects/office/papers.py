@@ -256,7 +256,7 @@ Print = Callable[[Look, prints.Canvas, RGB], None]
 def paper(
     x: float, y: float, mark: Print, *grounds: str, sheets: int = 1, accents: tuple[str, ...] = ()
 ) -> Drawing:
-    """Return the drawing function of a stack of sheets; ``mark`` prints the top one."""
+    """Return the drawing function of a stack of paper sheets; ``mark`` prints the top sheet."""
 
     def draw(look: Look) -> Pieces:
         ground = look.color(*grounds)

@@ -699,7 +699,7 @@ def pencil_sharpener(look: Look) -> Shape:
 
 
 def _lying(profile: list[tuple[float, float]], sides: int) -> Solid:
-    """Return a solid of revolution lying along x on z = 0, with its widest facet down."""
+    """Return a solid of revolution with ``sides`` facets, lying along x on z = 0."""
     rod = lathe(profile, sides).turn(1, np.pi / 2)
     low, high = rod.bounds
     return rod.move(x=-(low[0] + high[0]) / 2, z=-low[2])
@@ -851,7 +851,7 @@ def watercolour_set(look: Look) -> Pieces:
           "shape template"), themes=("office",), roles=("flat",), colors=("green",))  # fmt: skip
 @from_pieces()
 def stencil(look: Look) -> Pieces:
-    """A thin coloured sheet with pale cut-outs: letters, or circles above rectangles."""
+    """A thin coloured stencil with cut-out letters, or with circles above rectangles."""
     color = look.color("green", "blue", "orange", "yellow", "beige")
     image = prints.canvas(144, 96, color)
     hole = (246, 244, 238)

@@ -24,7 +24,7 @@ def seam(radius: float, wave: float) -> Solid:
 
 
 def football_skin(color: RGB, ink: RGB = (30, 32, 36)) -> Tile:
-    """Return a football's texture: pentagons in ``ink`` and faces in ``color`` with thin seams."""
+    """Return a football's texture: pentagons in ``ink``, and thin seams on ``color``."""
     golden = (1 + 5**0.5) / 2
     corners = np.array([p for a in (-1, 1) for b in (-golden, golden)
                         for p in ((0, a, b), (a, b, 0), (b, 0, a))], float)  # fmt: skip

@@ -138,7 +138,7 @@ def foam_roller(look: Look) -> Shape:
           aliases=("exercise band", "loop band", "workout band"), themes=("sports",),
           colors=("red", "blue"))  # fmt: skip
 def resistance_band(look: Look) -> Shape:
-    """A flat rubber loop, lying in a soft oval."""
+    """A flat rubber exercise band, lying in an oval loop."""
     color = look.color(*RESISTANCE_BAND_BRIGHT)
     k = look.between(0.8, 1.2)
     a = np.linspace(0, 2 * np.pi, 41)[:-1]
@@ -275,7 +275,7 @@ def foam_finger(look: Look) -> Shape:
 
 
 def _boot(h: float) -> Solid:
-    """Return a boot's upper, extruded from a side view, with its toe towards +x, on z = 0."""
+    """Return a boot's upper on z = 0, extruded from its side view, with the toe towards +x."""
     rim = [(-0.055, 0), (0.085, 0), (0.1, 0.012), (0.095, 0.032), (0.045, 0.052), (0.018, 0.075),
            (0.01, h), (-0.052, h), (-0.058, 0.06)]  # fmt: skip
     return side_view(rim, 0.062)

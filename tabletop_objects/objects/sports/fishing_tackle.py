@@ -14,7 +14,7 @@ from ...kit.surfaces import Look, plain, tint_color
 
 
 def _hook(x: float, z: float = 0.0015, size: float = 1.0) -> Solid:
-    """Return a bent hook lying flat, with its eye at ``x`` and its bend to the left."""
+    """Return a fish hook lying flat, with the eye at ``x`` and the bend on the left."""
     s = 0.012 * size
     path = [(x, 0, z), (x - 1.6 * s, 0, z), (x - 2.3 * s, 0.35 * s, z), (x - 2.1 * s, 0.9 * s, z),
             (x - 1.5 * s, 0.95 * s, z)]  # fmt: skip

@@ -109,7 +109,7 @@ def baseball_glove(look: Look) -> Shape:
           aliases=("boxing mitt", "sparring glove"), themes=("sports",), roles=("big",),
           colors=("red",))  # fmt: skip
 def boxing_glove(look: Look) -> Shape:
-    """A boxing glove lying on its palm, with its thumb at the side and its laced cuff in front."""
+    """A boxing glove lying on its palm, with the thumb at the side and a laced cuff in front."""
     k = look.between(0.85, 1.0)
     color = look.color("red", "red", "blue", "black", "pink", "yellow")
     skin = surfaces.speckles(look.rng, color, 4, 48)

@@ -54,7 +54,7 @@ DARK = (44, 38, 36)
 
 
 def _legs(reach: float, at: tuple[float, ...], z: float, thick: float = 0.0011) -> list[Solid]:
-    """Return pairs of bent legs at the positions ``at`` along x."""
+    """Return an insect's bent legs, with one pair at each of the x positions ``at``."""
     made = []
     for n, x in enumerate(at):
         lean = (0.35, 0.0, -0.35)[n % 3] * reach
@@ -278,7 +278,7 @@ def snail(look: Look) -> Shape:
 
 @dataclass(frozen=True)
 class Beast:
-    """A four-legged animal facing left, in units of its body's length.
+    """The form of a four-legged animal that faces left; its body's length is the unit of length.
 
     ``body`` is its length, width and height; ``legs`` is their length and radius. ``neck`` is the
     position of the head's centre in front of the body (x) and above its centre (z), and the neck's
@@ -351,7 +351,7 @@ _RAINBOW = ((236, 96, 130), (250, 196, 90), (110, 190, 150), (120, 150, 220), (1
 
 
 def _coat(look: Look, beast: Beast, color: tuple[float, float, float]) -> Tile:
-    """Return the texture of the animal's coat."""
+    """Return the texture of an animal's coat."""
     dark = tint_color(color, 0.45)
     if beast.skin == "bands":
         return surfaces.stripes([color, color, (40, 38, 40)], 7, side=96)
@@ -367,7 +367,7 @@ def _coat(look: Look, beast: Beast, color: tuple[float, float, float]) -> Tile:
 
 
 def beast_shape(key: str) -> Callable[[Look], Shape]:
-    """Return the shape function of the animal ``key``."""
+    """Return the shape function of the four-legged animal named ``key``."""
 
     def make(look: Look) -> Shape:
         return _beast(look, BEASTS[key])
@@ -421,7 +421,7 @@ def _beast(look: Look, b: Beast) -> Shape:
 def _extras(
     look: Look, b: Beast, at: tuple[float, float, float], feet: list[tuple[float, float]]
 ) -> list[tuple[Solid, Tile]]:
-    """Return an animal's additional parts, such as manes, horns and trunks."""
+    """Return the additional parts of an animal, such as a mane, horns or a trunk."""
     hx, hz, mid = at
     dark, pale = surfaces.plain((44, 38, 36)), surfaces.plain((242, 234, 214))
     made: list[tuple[Solid, Tile]] = []

@@ -36,7 +36,7 @@ def rattle(look: Look) -> Shape:
           aliases=("dummy", "baby pacifier", "soother", "baby dummy"), themes=("toys",),
           colors=("sky", "pink"), state="lying flat")  # fmt: skip
 def pacifier(look: Look) -> Shape:
-    """A dummy lying on its shield, with its teat up and its ring at the side."""
+    """A baby's dummy lying on its shield, with the teat up and the ring at the side."""
     color = look.color(*SOFT)
     outline = ellipse(0.046, 0.036, 24) * (1 + 0.12 * np.abs(np.cos(np.linspace(0, 2 * np.pi, 24,
                                            endpoint=False))))[:, None]  # fmt: skip

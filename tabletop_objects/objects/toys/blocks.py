@@ -42,7 +42,7 @@ def _arch(k: float) -> Made:
 
 
 def _cells(*cells: tuple[int, int]) -> Callable[[float], Made]:
-    """Return a function that makes a flat block of square ``cells`` (x, y)."""
+    """Return a function that makes a flat block of cubes at the grid positions ``cells``."""
 
     def make_hulls(k: float) -> Made:
         s = 0.025 * k

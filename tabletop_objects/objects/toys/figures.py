@@ -42,7 +42,7 @@ def lego_figure(look: Look) -> Pieces:
           "anime figure"), themes=("toys",), colors=("black",))  # fmt: skip
 @from_pieces(bodies=7)
 def vinyl_figure(look: Look) -> Pieces:
-    """A collector's figure with a huge square head and black eyes on a base."""
+    """A collector's figure on a base, with a huge square head and black eyes."""
     hair, shirt = plastic(look, "black", "brown", "red", "yellow", "purple"), dye(look, *PAINTS)
     skin = dye(look, "beige", "tan", "brown")
     base = disc(0.032, 0.004)

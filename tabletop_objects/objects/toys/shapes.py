@@ -26,7 +26,7 @@ def paint(
     palette: tuple[str, ...] = CUBE_PAINTS,
     default: tuple[str, ...] = ("plastic", "wood"),
 ) -> Callable[[Look], Shape]:
-    """Return a shape function for a block that ``make`` builds from a scale factor."""
+    """Return a shape function for a block whose solids ``make`` builds at a random scale."""
 
     def make_block(look: Look) -> Shape:
         k = look.between(0.9, 1.12)
@@ -38,7 +38,7 @@ def paint(
 
 
 def same(*solids: Solid) -> Made:
-    """Return the solids twice, once for drawing and once for collision."""
+    """Return two lists of the given solids: one for drawing and one for collisions."""
     return list(solids), list(solids)
 
 
@@ -101,13 +101,13 @@ GOLDEN = (1 + 5**0.5) / 2
 
 
 def _with_signs(*corners: tuple[float, float, float]) -> Points:
-    """Return the corners with every combination of signs."""
+    """Return the given points (x, y, z) with every combination of signs of their coordinates."""
     signs = np.array(list(itertools.product((-1, 1), repeat=3)), float)
     return np.concatenate([np.array(c) * signs for c in corners])
 
 
 def _turns(*corners: tuple[float, float, float]) -> Points:
-    """Return the corners with every sign combination and cyclic permutation of coordinates."""
+    """Return the given points with all sign combinations and cyclic permutations of coordinates."""
     return np.concatenate([_with_signs(tuple(np.roll(c, n))) for c in corners for n in range(3)])
 
 

@@ -54,7 +54,7 @@ def toy_crane(look: Look) -> Pieces:
 
 
 def _side(outline: list[tuple[float, float]], width: float, bevel: float = 0.0) -> Solid:
-    """Return a counter-clockwise side view in (x, z) extruded to ``width`` along y."""
+    """Extrude a counter-clockwise side view, given in (x, z), along y to the given width."""
     return prism(outline, -width / 2, width / 2, bevel).turn(0, np.pi / 2)
 
 
@@ -138,7 +138,7 @@ PALE = surfaces.plain((244, 244, 240))
 
 
 def _wheels(spots: list[tuple[float, float, float]], y: float, thick: float = 0.012) -> Pieces:
-    """Return wheels and hubs on both sides for each (x, radius, axle height)."""
+    """Return a wheel and a hub on each side of a vehicle for each (x, radius, axle height)."""
     tyres: list[Solid] = []
     hubs: list[Solid] = []
     for x, r, z in spots:
@@ -153,7 +153,7 @@ def _wheels(spots: list[tuple[float, float, float]], y: float, thick: float = 0.
 def _windows(
     x: float, z: float, y: float, wide: float, tall: float, count: int, gap: float
 ) -> Solid:
-    """Return a row of windows on both sides, starting at ``x``."""
+    """Return ``count`` windows in a row on each side of a vehicle, starting at ``x``."""
     return join([box(wide, 2 * y + 0.0012, tall).move(x + gap * n, 0, z) for n in range(count)])
 
 

@@ -27,7 +27,7 @@ def walls(x: float, y: float, h: float, wall: float, bottom: float) -> list[Soli
 def case(
     size: tuple[float, float, float], wall: float, colors: tuple[str, ...], lining: tuple[str, ...]
 ) -> Callable[[Look], Shape]:
-    """Return a shape function for a case whose lid is open at the back."""
+    """Return a shape function for a case with an open lid that is hinged at the back."""
 
     def make(look: Look) -> Shape:
         k = look.between(0.95, 1.05)

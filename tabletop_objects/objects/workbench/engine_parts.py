@@ -79,7 +79,7 @@ def air_filter(look: Look) -> Pieces:
           aliases=("engine piston",), themes=("workbench",), colors=("silver",))  # fmt: skip
 @from_pieces(bodies=1)
 def piston(look: Look) -> Pieces:
-    """A piston standing on its skirt with its rod tilted, or upright with rings."""
+    """A piston standing on its skirt, with two dark rings near its top and a pin hole in front."""
     steel = metal(look, "silver", "gray")
     body = standing((0.036, 0), (0.038, 0.004), (0.038, 0.03), (0.0365, 0.031), (0.0365, 0.034),
              (0.038, 0.035),

@@ -35,7 +35,7 @@ from .car_parts import BLACK
           roles=("flat", "big"), colors=("silver",))  # fmt: skip
 @from_pieces(foot=0.05)
 def wheel_brace(look: Look) -> Pieces:
-    """A wheel brace lying flat: four arms with sockets in the shape of a cross."""
+    """A wheel brace lying flat: four arms in the shape of a cross, with a socket at each end."""
     steel = metal(look, "silver", "gray", "charcoal")
     arms = [straight((0, 0, 0.012), (0.17 * np.cos(a), 0.17 * np.sin(a), 0.012), 0.007, 10)
             for a in np.arange(4) * np.pi / 2]  # fmt: skip

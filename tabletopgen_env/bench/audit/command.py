@@ -41,7 +41,7 @@ class Check:
 
 
 def check_result(path: Path, check: Check) -> bool:
-    """Check a result, print the outcome and mark the result; return whether it passed.
+    """Check a result, print the outcome and update its replay mark; return whether it passed.
 
     An existing mark that covers more episodes of the same result is kept.
 
@@ -91,7 +91,7 @@ def check_result(path: Path, check: Check) -> bool:
 
 
 def _stronger_mark(path: Path, mark: ReplayMark) -> ReplayMark | None:
-    """Return a result's existing mark if it covers more episodes than ``mark``."""
+    """Return a result's existing replay mark if it covers more episodes than ``mark``, or None."""
     try:
         there = read_mark(path, mark.result)
     except InputError:  # edited or damaged, so not a mark
@@ -105,7 +105,7 @@ def _fail(path: Path, why: str) -> None:
 
 
 def _difference(again: EpisodeReplay) -> str:
-    """Describe how a replayed episode differs from the listed one."""
+    """Describe how the outcome of a replayed episode differs from the listed one."""
     row = again.listed
     what = [part for part in (row.target, row.goal) if part]
     return (
@@ -120,7 +120,7 @@ def _outcome(row: EpisodeRow) -> str:
 
 
 def _others(result: BenchResult) -> str:
-    """Describe the packages whose versions differ from those of the result."""
+    """Describe the packages whose installed versions differ from those recorded in the result."""
     here = versions(PACKAGES)
     other = [f"{k} {v}, here {here[k]}" for k, v in result.versions.items() if here.get(k) != v]
     return f"; the result was made with {', '.join(other)}" if other else ""

@@ -57,7 +57,7 @@ class Doubt:
 
 
 def suite_matches(result: BenchResult, suite: Suite) -> bool:
-    """Return whether a result lists exactly the episodes of a suite, in its order."""
+    """Return whether a result lists exactly the episodes of a suite, in the same order."""
     asked = [row_of(episode, _NOTHING) for episode in suite.episodes()]
     same = [(*r.key, r.level) for r in asked] == [(*r.key, r.level) for r in result.episodes]
     return same and (result.version, result.suites) == (suite.of.version, digest_of(suite.of))

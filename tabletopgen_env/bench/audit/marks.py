@@ -1,4 +1,4 @@
-"""Marks for replayed results, each in a file beside its result.
+"""Marks that record which results have been replayed, each in a file beside its result.
 
 Like a result, a mark is not signed: the maintainer of a leaderboard creates the marks.
 """
@@ -28,7 +28,7 @@ SCHEMA = 1
 
 @dataclass(frozen=True)
 class ReplayMark:
-    """The episodes of a result that were replayed with identical outcomes.
+    """A record of the episodes of a result that were replayed with identical outcomes.
 
     Attributes:
         result: digest of the result.
@@ -44,12 +44,12 @@ class ReplayMark:
 
 
 def mark_path(result: Path) -> Path:
-    """Return the path of a result's mark."""
+    """Return the path of a result's replay mark."""
     return result.with_name(result.name + SUFFIX)
 
 
 def write_mark(result: Path, mark: ReplayMark) -> None:
-    """Write the mark of a result atomically.
+    """Write the replay mark of a result atomically.
 
     Raises:
         StorageError: the mark cannot be written.
@@ -62,7 +62,7 @@ def write_mark(result: Path, mark: ReplayMark) -> None:
 
 
 def remove_mark(result: Path) -> None:
-    """Remove the mark of a result, if there is one.
+    """Remove the replay mark of a result, if there is one.
 
     Raises:
         StorageError: the mark cannot be removed.
@@ -73,7 +73,7 @@ def remove_mark(result: Path) -> None:
 
 
 def read_mark(result: Path, digest: str) -> ReplayMark | None:
-    """Return the mark of the result with this digest, or None if it is missing or outdated.
+    """Return a result's replay mark, or None if there is none for the result's ``digest``.
 
     Raises:
         InputError: the mark is damaged or edited, or has an unsupported schema.

@@ -32,7 +32,7 @@ class EpisodeReplay:
 
     @property
     def agrees(self) -> bool:
-        """Whether listing and replay agree in success, number of steps and reward.
+        """Whether the listed and the replayed outcome agree in success, number of steps and reward.
 
         Rewards agree within ``REWARD``, since processors differ in the last digits of the mean.
         """
@@ -53,7 +53,7 @@ def draw_places(count: int, result: BenchResult, seed: int) -> tuple[int, ...]:
 
 
 def player_of(result: BenchResult, suite: Suite, player: str | None) -> str:
-    """Return the name of the player for a replay: ``player``, or the one named in the result.
+    """Return the name of the player for a replay, by default the one named in the result.
 
     Raises:
         InputError: the result names no player, or ``player`` differs from the one it names.

@@ -28,7 +28,7 @@ _PUSHED = 0.02
 
 
 class Drop:
-    """The path of a held object to the place that ``plan`` chooses in the goal's region.
+    """The path of a held object to the release position that ``plan`` chooses in the goal's region.
 
     ``yaw`` is the hand's current yaw (base frame, radians); ``opening`` is the opening for release,
     metres.
@@ -47,7 +47,7 @@ class Drop:
         self.follow(world)
 
     def follow(self, world: World) -> None:
-        """Update the place after the object has shifted in the hand or the goal has moved."""
+        """Update the release position if the object has shifted in the hand or the goal moved."""
         left, right, _ = world.touches(self._target)
         if not (left and right):  # a released object no longer counts
             return
@@ -67,14 +67,14 @@ class Drop:
         return turn_left(world, self._place.yaw, self._place.tool)
 
     def hover(self, world: World) -> float:
-        """Return the height that the hand has to keep above the place until it is aligned."""
+        """Return the height above the release position that the hand keeps until it is aligned."""
         aside = float(np.linalg.norm((world.data.site_xpos[world.tcp] - self.tool)[:2])) - _FINE
         turn = abs(self.turn(world)) - _TURNED
         return ABOVE * float(np.clip(max(aside / _FUNNEL, turn / _TURNED), 0.0, 1.0))
 
 
 def let_go_at(grasp: Grasp) -> float:
-    """Return the opening for release in metres, limited by neighbouring objects."""
+    """Return how far (m) the fingers open to release an object, limited by its neighbours."""
     return min(grasp.opening, grasp.width + _LET_GO)
 
 

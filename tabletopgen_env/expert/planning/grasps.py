@@ -53,7 +53,10 @@ class Grasp:
 
 
 def plan_grasps(world: World, target: str, avoid: tuple[Grasp, ...] = ()) -> list[Grasp]:
-    """Return top grasps of ``target`` at its current pose, sorted, with any near ``avoid`` last."""
+    """Return top grasps of ``target`` at its current pose, best first.
+
+    Grasps near any in ``avoid`` are last.
+    """
     angles = rotation_yaw(world.rotation(target)) + np.arange(_TURNS) * np.pi / _TURNS
     found = [_demote(grasp, avoid) for grasp in grasps_along(world, target, angles.tolist())]
     return sorted(found, key=lambda grasp: -grasp.score)
@@ -186,7 +189,7 @@ def _room(
     width: Float[np.ndarray, "r"],
     tip: Float[np.ndarray, "r"],
 ) -> Float[np.ndarray, "r"]:
-    """Return for each run the largest opening (m) at which the fingers can descend, or NaN."""
+    """Return the widest opening (m) at which the fingers fit around each run, or NaN if none."""
     distance = np.abs(u - center[:, None])
 
     def free(

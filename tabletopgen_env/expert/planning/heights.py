@@ -76,7 +76,7 @@ def surroundings(
 
 @dataclass(frozen=True, eq=False)
 class VoxelSolid:
-    """An object as voxels, in the world frame.
+    """A voxel model of an object, in the world frame.
 
     ``filled[i, j, k]`` is at (``origin`` + ``cell`` * (i, j), ``levels[k]``), metres; ``levels``
     are equally spaced. The columns on the grid's border are empty.
@@ -100,14 +100,14 @@ class VoxelSolid:
 def _nearest(
     points: Float[np.ndarray, "*n 2"], origin: Float[np.ndarray, "2"], cell: float
 ) -> tuple[Int[np.ndarray, "*n"] | np.int64, Int[np.ndarray, "*n"] | np.int64]:
-    """Return the indices of the grid cell nearest to each point, which may be outside the grid."""
+    """Return the indices of the grid cell nearest to each point; they can be outside the grid."""
     x, y = points[..., 0], points[..., 1]
     i, j = (x - origin[0]) / cell, (y - origin[1]) / cell
     return np.rint(i).astype(int), np.rint(j).astype(int)
 
 
 def solid(parts: tuple[ConvexPart, ...], cell: float, rise: float) -> VoxelSolid:
-    """Return world-frame ``parts`` as voxels of ``cell`` by ``cell`` by ``rise`` metres."""
+    """Convert world-frame ``parts`` to voxels of ``cell`` by ``cell`` by ``rise`` metres."""
     bounds = np.stack([part.bounds for part in parts])
     first, last = bounds[:, 0].min(0), bounds[:, 1].max(0)
     axes = [np.arange(first[k] - cell, last[k] + 2 * cell, cell) for k in (0, 1)]

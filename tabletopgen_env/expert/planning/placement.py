@@ -1,4 +1,4 @@
-"""Planning of the release: the place and yaw, with space for the held object and the fingers.
+"""Planning of the release: a position and yaw with space for the held object and the fingers.
 
 The held object and the opening fingers move straight down onto the height map of all other objects;
 their undersides determine how deep they can go. Among many places and yaws in the goal's region,
@@ -40,7 +40,7 @@ PALM, PALM_Z = (0.106, 0.036), 0.043
 
 @dataclass(frozen=True, eq=False)
 class Place:
-    """The pose at release: the tool's point (m, world) and the hand's yaw (base frame, radians).
+    """The pose at release: the tool's position (m, world) and the hand's yaw (base frame, radians).
 
     A ``yaw`` of None means the current yaw, turned only as far as the last joint's range requires.
     ``target`` is the position of the held object's centre at release (x, y, world), ``hanging`` its
@@ -63,14 +63,14 @@ class Placer(Protocol):
 
 
 class Underside(NamedTuple):
-    """Columns below the tool: the (x, y) and the lowest height of each, relative to the tool."""
+    """An underside, as columns: the (x, y) and lowest height of each, relative to the tool."""
 
     at: Float[np.ndarray, "n 2"]
     low: Float[np.ndarray, "n"]
 
 
 def plan_place(world: World, goal: Goal, yaw: float, opening: float) -> Place:
-    """Return the best place in a goal's region for the target in its current grasp.
+    """Return the best release pose in a goal's region for the target in its current grasp.
 
     ``yaw`` is the hand's current yaw in the base frame, radians; ``opening`` is the opening of the
     fingers for release, metres.
@@ -116,7 +116,7 @@ def plan_place(world: World, goal: Goal, yaw: float, opening: float) -> Place:
 
 
 def middle_place(world: World, goal: Goal, yaw: float, opening: float) -> Place:
-    """Return the place at the centre of a goal's region; arguments are as for ``plan_place``.
+    """Return the release pose at the centre of a goal's region; arguments as for ``plan_place``.
 
     The hand keeps its yaw, or makes half a turn if the arm can reach the place only in this way.
     The plan uses the height map of all other objects, and the box and the lowest point of the held
@@ -128,7 +128,7 @@ def middle_place(world: World, goal: Goal, yaw: float, opening: float) -> Place:
 
 
 def unturned_place(world: World, goal: Goal, yaw: float, opening: float) -> Place:
-    """Return the place as ``middle_place`` does, without a particular yaw of the hand.
+    """Return the release pose of ``middle_place``, but without a prescribed yaw of the hand.
 
     The place does not depend on the hand's pose at planning time, so following it needs no memory.
     """
@@ -139,7 +139,7 @@ def unturned_place(world: World, goal: Goal, yaw: float, opening: float) -> Plac
 def _middles(
     world: World, goal: Goal, yaw: float, opening: float, turns: tuple[float, ...]
 ) -> Iterator[Place]:
-    """Yield the place at the centre of a goal's region for each rotation of the hand."""
+    """Yield the release pose at the centre of a goal's region for each turn of the hand."""
     assert goal.target is not None
     tool = world.data.site_xpos[world.tcp].copy()
     held, hand = _boxed_underside(world, goal.target, tool), _hand(opening, yaw + world.mount.yaw)
@@ -171,7 +171,7 @@ def _stretched(world: World, tool: Float[np.ndarray, "3"], yaw: float) -> bool:
 
 
 def _points(goal: Goal, region: Region) -> Float[np.ndarray, "n 2"]:
-    """Return positions (x, y, world) for the target's centre, the region's centre first."""
+    """Return candidate positions (x, y, world) for the target, the region's centre first."""
     rings = (0.0, 0.3, 0.6, 0.95) if isinstance(goal, Into | OnTop) else (0.0, 0.3, 0.6)
     angles = np.arange(12) * np.pi / 6
     ring = np.column_stack([np.cos(angles), np.sin(angles)])
@@ -240,5 +240,5 @@ def _hand(opening: float, yaw: float) -> Underside:
 def _touching(
     others: HeightMap, tools: Float[np.ndarray, "k 2"], under: Underside
 ) -> Float[np.ndarray, "k n"]:
-    """Return for each place the tool's heights at which the columns of ``under`` make contact."""
+    """Return for each tool position the height at which each column of ``under`` makes contact."""
     return others.at(tools[:, None] + under.at) - under.low

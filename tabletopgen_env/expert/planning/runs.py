@@ -1,4 +1,4 @@
-"""Graspable cross-sections: an object's slices divided into solid runs, with quality scores.
+"""Graspable cross-sections of an object: slices divided into solid runs with quality scores.
 
 The object is seen along one yaw of the hand: v counts the lines of cells perpendicular to the
 fingers' opening, u the cells along it. A pad covers a strip of ``_LINES`` lines and, at one height,
@@ -67,7 +67,7 @@ def slabs(shape: VoxelSolid, floor: float) -> Slabs:
 def _looks(
     levels: Float[np.ndarray, "z"], top: int, floor: float
 ) -> tuple[tuple[float, int, int], ...]:
-    """Return the slabs to examine below a top that is ``top`` levels high, lowest first."""
+    """Return the slabs to examine below a surface that is ``top`` levels high, lowest first."""
     highest = float(levels[top - 1]) + RISE / 2
     tips = sorted({round(max(highest - d, floor + _ABOVE_TABLE), 4) for d in _DEPTHS})
     first = np.searchsorted(levels, tips).tolist()
@@ -78,7 +78,7 @@ def _looks(
 
 @dataclass(frozen=True, eq=False)
 class Runs:
-    """Graspable runs, ordered by row, height and position.
+    """Graspable runs (solid cross-sections), ordered by row, height and position.
 
     ``row`` is the middle line of a run's strip, ``left`` and ``right`` its first and last cell,
     ``tip`` the height of the fingertips (metres); a higher ``quality`` is better.
@@ -92,7 +92,7 @@ class Runs:
 
 
 def find_runs(cut: Slabs, columns: Int[np.ndarray, "nv nu"]) -> Runs:
-    """Return the runs of an object with the given ``columns``, in every second line of cells."""
+    """Return the graspable runs in every second row of ``columns``, a grid of column indices."""
     tops = cut.tops[columns]
     lines, cells = (np.flatnonzero(tops.any(axis)) for axis in (1, 0))
     rows = np.arange(lines[0], lines[-1] + 1, 2) if len(lines) else lines
@@ -126,7 +126,7 @@ def _windows(
     left: Int[np.ndarray, "r"],
     width: Int[np.ndarray, "r"],
 ) -> Bool[np.ndarray, "r b w"]:
-    """Return the bits of ``width`` codes in each ``row``, starting at ``left`` and zero-padded."""
+    """Unpack the bits of ``width`` codes in each ``row``, starting at ``left`` and zero-padded."""
     along = np.arange(width.max(initial=1))
     found = codes[row[:, None], np.minimum(left[:, None] + along, codes.shape[1] - 1)]
     found = np.where(along < width[:, None], found, np.uint8(0))
@@ -136,7 +136,7 @@ def _windows(
 def _quality(
     by_line: Bool[np.ndarray, "r b w"], by_layer: Bool[np.ndarray, "r b w"]
 ) -> Float[np.ndarray, "r"]:
-    """Score the two sides of each run, with NaN if the fingers would slide off."""
+    """Return a quality score for each run, or NaN if the fingers would slide off its sides."""
     # These must stay well within the pads' friction cone: a side's *slope* along the finger's
     # width, the *squeeze* by which the run narrows upwards (the object would pop out) and the
     # *lean* of its middle (fingers would make contact at different heights). Levels much narrower
@@ -162,7 +162,7 @@ def _quality(
 def _ends(
     rows: Bool[np.ndarray, "r b w"],
 ) -> tuple[Float[np.ndarray, "r b"], Float[np.ndarray, "r b"]]:
-    """Return the start and end of each row of cells, in metres."""
+    """Return the positions of the first and the last filled cell in each row, in metres."""
     last = rows.shape[2] - 1 - rows[:, :, ::-1].argmax(2)
     return rows.argmax(2) * STEP_U, last * STEP_U
 
@@ -170,7 +170,7 @@ def _ends(
 def _trend(
     side: Float[np.ndarray, "r b"], used: Bool[np.ndarray, "r b"], step: float
 ) -> Float[np.ndarray, "r"]:
-    """Return the slope of the line through each side's ``used`` points, or 0 for a single point."""
+    """Return the slope of the line fitted to each side's ``used`` points, or 0 for one point."""
     at = np.arange(used.shape[1]) * step
     middle = (used * at).sum(1) / used.sum(1)
     offset = np.where(used, at - middle[:, None], 0.0)

@@ -82,7 +82,7 @@ def plan_stroke(
     others: HeightMap | None = None,
     care: Care = "free",
 ) -> Stroke | None:
-    """Plan the stroke that pushes an object's centre towards a spot (x, y, world), if possible.
+    """Plan the stroke that pushes an object's centre towards a spot (x, y, world), or return None.
 
     ``others`` is the height map ``beside`` the object, if it is already known.
     """
@@ -139,7 +139,10 @@ def _contact(
     opening: float,
     floor: float,
 ) -> tuple[Float[np.ndarray, "2"], float] | None:
-    """Return the tool's (x, y, world) and height for touching the object low down, or None."""
+    """Return the tool's position (x, y) and height for touching the object near its base, or None.
+
+    Both are in the world frame.
+    """
     spans = np.array([p.bounds[:, 2] for p in parts])
     low, high = spans[:, 0].min(), spans[:, 1].max()
     palm, fingers = (_rectangle(half, opening) for half in (_PALM, _TIPS))
@@ -160,7 +163,7 @@ def _contact(
 def _behind(
     parts: list[ConvexPart], com: Float[np.ndarray, "2"], ahead: Float[np.ndarray, "2"]
 ) -> float | None:
-    """Return the distance (m) from ``com`` along ``ahead`` where the fingers first meet parts."""
+    """Return the distance (m) from ``com`` along ``ahead`` at which fingers meet parts, or None."""
     across = np.array([-ahead[1], ahead[0]])
     found: list[float] = []
     for part in parts:
@@ -172,7 +175,7 @@ def _behind(
 
 
 def _first_in_strip(u: Float[np.ndarray, "n"], v: Float[np.ndarray, "n"]) -> float:
-    """Return the smallest ``u`` of the convex hull of (u, v) with |v| <= ``_HALF_STRIP``."""
+    """Return the smallest u with |v| <= ``_HALF_STRIP`` in the convex hull of the points (u, v)."""
     within = np.abs(v) <= _HALF_STRIP
     least = [float(u[within].min())] if within.any() else []
     for edge in (-_HALF_STRIP, _HALF_STRIP):
@@ -192,7 +195,7 @@ def _is_free(
     tip: float,
     hand: tuple[tuple[float, float], tuple[float, float]] = (_FINGERS, _PALM),
 ) -> bool:
-    """Return whether palm and fingers, opened along ``opening``, do not collide along a line."""
+    """Return whether the palm and fingers, opened along ``opening``, clear ``others`` on a line."""
     return all(
         others.at(line[:, None] + _rectangle(half, opening)).max() <= height
         for half, height in zip(hand, (tip - 0.001, tip + _PALM_Z), strict=True)

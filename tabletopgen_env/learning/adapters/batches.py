@@ -73,7 +73,7 @@ class BatchVecEnv(VecEnv):
         return [getattr(self.batch, attr_name)] * len([*self._get_indices(indices)])
 
     def set_attr(self, attr_name: str, value: Any, indices: Any = None) -> None:
-        """Raise an error, since single worlds have no attributes."""
+        """Raise an error, since the worlds of a batch have no attributes of their own."""
         raise InputError(
             f"The worlds of a batch have no attributes of their own, got {attr_name!r}."
         )
@@ -81,7 +81,7 @@ class BatchVecEnv(VecEnv):
     def env_method(
         self, method_name: str, *method_args: Any, indices: Any = None, **method_kwargs: Any
     ) -> list[Any]:
-        """Raise an error, since single worlds have no methods."""
+        """Raise an error, since the worlds of a batch have no methods of their own."""
         raise InputError(
             f"The worlds of a batch have no methods of their own, got {method_name!r}."
         )

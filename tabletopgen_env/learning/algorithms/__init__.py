@@ -1,1 +1,1 @@
-"""Training algorithms, with one protocol for Stable-Baselines3 and this package's own."""
+"""Training algorithms, with one protocol for those of Stable-Baselines3 and of this package."""

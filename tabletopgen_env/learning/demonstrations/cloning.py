@@ -73,7 +73,7 @@ class CloningConfig:
 
 @dataclass(frozen=True)
 class Round:
-    """The outcome of a round: the states so far, the success rate of its episodes, and the loss."""
+    """The outcome of a cloning round: the states so far, the success rate and the loss."""
 
     number: int
     states: int
@@ -90,7 +90,7 @@ def clone(
     report: Callable[[Round], None] | None = None,
     kept: RoundsFolder | None = None,
 ) -> list[Demonstration]:
-    """Fit a model's actor in place to the expert's advice in ``env``; return all episodes.
+    """Train a model's actor in place to imitate the expert in ``env``; return all episodes.
 
     ``seed`` determines the episodes and the batches. ``report`` is called after each round. Each
     round is saved in ``kept``; rounds already there are not repeated.
@@ -178,7 +178,7 @@ def fit(
     config: CloningConfig,
     generator: torch.Generator,
 ) -> float:
-    """Fit a model's actor to the advice in ``seen``; return the mean loss of the last steps."""
+    """Fit an actor to the expert's actions in ``seen``; return the mean loss of the last steps."""
     states = torch.from_numpy(np.concatenate([d.observations[:-1] for d in seen]))
     advice = torch.from_numpy(np.concatenate([d.advice for d in seen]))
     actor, act = model.actor, moves_of(model)

@@ -46,7 +46,7 @@ _MAX_BYTES = 512 * 2**20  # per file
 
 @dataclass(frozen=True, eq=False)
 class GraspShowing:
-    """A demonstration: an object's ``maps`` and ``stands`` for a policy, and the expert's grasps.
+    """A demonstration: a policy's inputs ``maps`` and ``stands``, and the expert's grasps.
 
     ``maps`` are the first two maps of ``observations.height_map``. ``stands`` holds the position of
     the robot's base relative to the centre of the object's box (x, y, heading frame), the height of
@@ -78,7 +78,7 @@ def showings(source: SceneSource, tables: int, seed: int) -> Iterator[list[Grasp
 
 
 def showing(world: World, name: str, look: HeightLook) -> GraspShowing | None:
-    """Return an object's demonstration at its current pose, or None if no grasp is reachable."""
+    """Return a demonstration for an object at its current pose, or None if it cannot be grasped."""
     plan = choose(world, name)
     if plan is None:
         return None

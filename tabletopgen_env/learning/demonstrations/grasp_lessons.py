@@ -36,7 +36,7 @@ def teach_head(
     note: Callable[[int, float], None] | None = None,
     size: int = 16,
 ) -> None:
-    """Fit a head in place with ``steps`` batches of ``size`` randomly mirrored demonstrations.
+    """Train a grasp head in place on ``steps`` batches of ``size`` randomly mirrored examples.
 
     Each demonstration contributes ``SEEN_TURNS`` finger directions, in at least one of which the
     expert has a grasp.
@@ -67,7 +67,7 @@ def teach_head(
 def batch_of(
     shown: Sequence[GraspShowing], signs: Int[Tensor, "b 2"]
 ) -> tuple[GraspBatch, Float[Tensor, "b t 6"]]:
-    """Return a batch of demonstrations, and the head's inputs other than the maps.
+    """Return a training batch of demonstrations, and the grasp head's inputs other than the maps.
 
     ``signs`` is -1 where an axis of the hand is mirrored. The mirror image of a grasp is a grasp of
     the mirrored object by an arm at the mirrored position.
@@ -93,7 +93,7 @@ def batch_of(
 def some_turns(
     batch: GraspBatch, sides: Float[Tensor, "b t 6"], generator: torch.Generator
 ) -> tuple[GraspBatch, Float[Tensor, "b k 6"]]:
-    """Return a batch with ``SEEN_TURNS`` random finger directions for each demonstration.
+    """Reduce a batch to ``SEEN_TURNS`` randomly chosen finger directions per demonstration.
 
     One of the directions is drawn with a probability equal to its share of the grasps. The shares
     of the remaining cells are then normalised.
@@ -113,7 +113,7 @@ def some_turns(
 
 
 def _places(grasps: Float[np.ndarray, "g 7"], sign: Sequence[int]) -> Places:
-    """Return the cells that contain grasps (``COLUMNS``), with the best grasp of each cell."""
+    """Return the indices of the cells with grasps, and each cell's best grasp and its score."""
     angle, x, y, z, opening, width, score = grasps.T
     turn = np.rint(angle * TURNS / np.pi).astype(int) % TURNS
     angle = turn * np.pi / TURNS

@@ -1,4 +1,4 @@
-"""Episodes as arrays, played by the expert or by a policy whose states the expert labels."""
+"""Recorded episodes, played by the expert or by a policy for which the expert labels actions."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ class Demonstration:
     instruction: str
 
     def observation(self, step: int) -> Any:
-        """Return the observation before a step, or the last observation if ``step`` is t."""
+        """Return the observation before step ``step``, or the final one if ``step`` is t."""
         if isinstance(self.observations, dict):
             return {name: part[step] for name, part in self.observations.items()}
         return self.observations[step]
@@ -107,7 +107,7 @@ def demonstrate(
 
 
 def stack(seen: Sequence[Any]) -> Any:
-    """Stack observations as the rows of one array, or into a dict of such arrays."""
+    """Stack observations along a new first axis; dict observations give a dict of arrays."""
     if isinstance(seen[0], Mapping):
         return {name: stack([each[name] for each in seen]) for name in seen[0]}
     return np.stack(seen)

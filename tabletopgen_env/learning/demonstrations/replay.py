@@ -132,7 +132,7 @@ def read_buffer(buffer: ReplayBuffer, path: Path) -> None:
 
 
 def _like(kept: np.ndarray, own: np.ndarray) -> np.ndarray:
-    """Return an array if its dtype and shape match another's; raise ValueError otherwise."""
+    """Return ``kept`` if its dtype and shape match those of ``own``; raise ValueError otherwise."""
     if kept.shape != own.shape or kept.dtype.kind != own.dtype.kind:
         raise ValueError(
             f"the array is {kept.dtype} of shape {kept.shape}, expected {own.dtype} "

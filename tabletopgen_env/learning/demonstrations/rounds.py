@@ -74,7 +74,7 @@ class RoundsFolder:
         write_whole(self._actor(number), save(weights), "The round", _ADVICE)
 
     def read(self, actor: nn.Module, generator: torch.Generator) -> tuple[list[Demonstration], int]:
-        """Restore the actor and random state; return all episodes and the number of seeds drawn.
+        """Restore the actor and random state; return all episodes and the number of drawn seeds.
 
         Raises:
             BundleError: a file is damaged.

@@ -32,7 +32,7 @@ from ..networks.perception import perceive, recall_goal
 
 
 class Teacher:
-    """An environment during one episode, as the expert sees it, with an additional grasp hint."""
+    """The expert's view of an environment during one episode, with an additional grasp hint."""
 
     def __init__(self, env: gym.Env[Any, np.ndarray]) -> None:
         self._env: Any = env.unwrapped
@@ -44,7 +44,7 @@ class Teacher:
 
     @property
     def unwrapped(self) -> Teacher:
-        """This object, in place of the unwrapped environment."""
+        """The teacher itself, which takes the place of the unwrapped environment."""
         return self
 
     @property
@@ -80,7 +80,7 @@ class Teacher:
 def plan_in_heading(
     world: World, state: Float[Tensor, "s"], plan: GraspPlan
 ) -> Float[np.ndarray, "6"]:
-    """Return a grasp plan in the policy's representation; see ``networks.grasp_head.PLAN``."""
+    """Convert a grasp plan to the policy's representation; see ``networks.grasp_head.PLAN``."""
     slot = state[len(ROBOT_BOUNDS) :]
     heading, low = float(heading_of(state[None])[0]), float(lowest_of(state[None])[0])
     point = world.to_base(plan.grasp.point) - np.array([float(slot[0]), float(slot[1]), low])

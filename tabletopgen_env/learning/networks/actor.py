@@ -36,7 +36,7 @@ The shape of a one-dimensional part is its size.
 
 
 class Actor(nn.Module):
-    """The feature extractor, hidden layers and output layer, without squashing or clipping."""
+    """A policy's network of extractor, hidden layers and output, without squashing or clipping."""
 
     def __init__(self, network: Network, inputs: Inputs, actions: int) -> None:
         super().__init__()
@@ -123,7 +123,7 @@ def inputs_of(space: spaces.Space[Any]) -> dict[str, Shape]:
 
 
 def _channels_last(shape: tuple[int, ...]) -> tuple[int, ...]:
-    """Move a shape's channel axis, which Stable-Baselines3 puts first, back to the end."""
+    """Return a shape with the channel axis, which Stable-Baselines3 puts first, moved last."""
     colors = len(shape) == 3 and shape[0] == 3 and shape != height_map_space().shape
     return (*shape[1:], shape[0]) if colors else shape
 

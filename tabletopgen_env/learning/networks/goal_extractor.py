@@ -22,7 +22,7 @@ _BARE = len(ROBOT_BOUNDS) + SLOTS * len(SLOT_BOUNDS)
 
 
 class GoalExtractor(BaseFeaturesExtractor):
-    """Features of goal observations with one goal, computed by a ``TableExtractor``.
+    """A feature extractor for observations with a single goal, based on ``TableExtractor``.
 
     The state's goal entries are computed from the desired and the achieved goal, so that they
     follow hindsight relabelling. Entry 268 (whether an object carries the goal) is 0. Slot 1 of the

@@ -110,7 +110,7 @@ def turn_easily(
 def turn_maps(
     maps: Real[Tensor, "b m 48 48"], stands: Float[Tensor, "b 4"]
 ) -> tuple[Float[Tensor, "b t 3 n n"], Float[Tensor, "b t 6"]]:
-    """Rotate the first two maps of an observation to each finger direction.
+    """Rotate the first two height maps of an observation to each finger direction.
 
     Heights are relative to the target's lowest corner. Channels: the target's heights, the heights
     of everything else, and the target's depth below its top. The second array holds for each turn

@@ -55,7 +55,7 @@ _IN_AIR = 0.03  # a region higher than this above the surface below it counts as
 
 
 class LookExtractor(BaseFeaturesExtractor):
-    """Features of ``state`` and ``height_map`` by a ``TableExtractor`` whose hint is the way.
+    """A feature extractor for the state and the height maps that computes its own grasp hint.
 
     The head is trained only by ``demonstrations.grasp_lessons``, not through the features.
 
@@ -87,7 +87,7 @@ class LookExtractor(BaseFeaturesExtractor):
     def features(
         self, state: Float[Tensor, "n o"], way: Float[Tensor, "n 8"]
     ) -> Float[Tensor, "n f"]:
-        """Compute the features from states and the features of the way."""
+        """Compute the features from states and the way features (see the module docstring)."""
         return self.table(torch.cat([state, way], 1))
 
     def plans(
@@ -142,7 +142,7 @@ def lowest_of(state: Float[Tensor, "n o"]) -> Float[Tensor, "n"]:
 
 
 def base_from_target(state: Float[Tensor, "n o"]) -> Float[Tensor, "n 4"]:
-    """Return the head's inputs besides the maps; see ``grasp_head.STANDS``."""
+    """Return the grasp head's inputs other than the maps; see ``grasp_head.STANDS``."""
     x, y = _turn(-state[:, _ROBOT], -state[:, _ROBOT + 1], -heading_of(state))
     table = state[:, 37]
     return torch.stack([x, y, lowest_of(state) - table, table], 1)
@@ -151,7 +151,7 @@ def base_from_target(state: Float[Tensor, "n o"]) -> Float[Tensor, "n 4"]:
 def release_height(
     state: Float[Tensor, "n o"], maps: Real[Tensor, "n 3 48 48"]
 ) -> tuple[Float[Tensor, "n"], Float[Tensor, "n"]]:
-    """Return the tool's height for releasing the target without rotation in its goal's middle.
+    """Return the tool's height for releasing the unrotated target at the centre of its goal.
 
     The second array is the height of the surface there under the target. Both are in the base
     frame, in metres. The target is assumed to be as wide as its box, and the open hand as wide as
@@ -243,7 +243,10 @@ def _rise(
     depth: Float[Tensor, "n"],
     broad: Float[Tensor, "n"],
 ) -> Float[Tensor, "n"]:
-    """Return entry 6 of the way: the rise needed to clear objects within ``broad`` of the path."""
+    """Return entry 6 of the way: how far the tool must rise to clear objects near the path.
+
+    Objects within ``broad`` of the path count.
+    """
     tool, slots = state[:, 15:18], state[:, _ROBOT : _ROBOT + SLOTS * _SLOT]
     others = slots.reshape(-1, SLOTS, _SLOT)[:, 1:]
     way = (end - tool)[:, None, :2]
@@ -269,7 +272,7 @@ def _reach(slots: Float[Tensor, "*n s"]) -> Float[Tensor, "*n 3"]:
 def _turn_box(
     state: Float[Tensor, "n o"], heading: Float[Tensor, "n"]
 ) -> tuple[Float[Tensor, "n"], Float[Tensor, "n"]]:
-    """Return the half extents of the target's box along its heading frame's axes, in metres."""
+    """Return the half extents of the target's box along and across ``heading``, in metres."""
     slot, bounds = state[:, _ROBOT : _ROBOT + _SLOT], []
     half = slot[:, 9:12]
     x, y = slot[:, 3:6], slot[:, 6:9]

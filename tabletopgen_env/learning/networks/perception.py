@@ -59,7 +59,7 @@ _GREEN, _RED_SHARE, _BLUE_SHARE = 60.0, 0.40, 0.60
 
 
 def cameras_of(names: Iterable[str]) -> tuple[str, ...]:
-    """Return the cameras for which depth, mask and calibration are observed."""
+    """Return the cameras whose depth, target mask and calibration are among ``names``."""
     known = set(names)
     cameras = sorted(n.removesuffix("_calibration") for n in known if n.endswith("_calibration"))
     return tuple(c for c in cameras if {f"{c}_depth", f"{c}_target"} <= known)
@@ -117,7 +117,7 @@ def _perceive_one(
 def recall_goal(
     state: Float[Tensor, "n s"], shown: Float[Tensor, "n"], kept: Float[Tensor, "n 4"]
 ) -> tuple[Float[Tensor, "n s"], Float[Tensor, "n 4"]]:
-    """Use the best earlier sighting of poorly visible markers; return the states and sightings.
+    """Replace poorly visible markers by their best earlier sighting; return states and sightings.
 
     Near the end of a reach the hand hides the marker, and the visible rest is a poor estimate of
     its position. ``shown`` is the number of marker points in the current observation. ``kept`` is
@@ -153,7 +153,7 @@ def _cloud(
 
 
 def _is_green(picture: Float[Tensor, "h w c"]) -> Bool[Tensor, "m"]:
-    """Return which pixels have the marker's colour, with channels on the first or the last axis."""
+    """Return which pixels have the marker's colour; channels are on the first or the last axis."""
     last = picture if picture.shape[-1] == 3 else picture.movedim(0, -1)
     red, green, blue = last.reshape(-1, 3).unbind(1)
     return (green > _GREEN) & (red < _RED_SHARE * green) & (blue < _BLUE_SHARE * green)
@@ -176,7 +176,10 @@ def find_ball(points: Float[Tensor, "m 3"]) -> tuple[Float[Tensor, "3"], int]:
 
 
 def _fit_ball(points: Float[Tensor, "m 3"]) -> Float[Tensor, "3"]:
-    """Fit a ball's centre to points seen from above, by Gauss-Newton steps from below the mean."""
+    """Fit a ball's centre to points on its upper side, by Gauss-Newton steps.
+
+    They start below the mean of the points.
+    """
     middle = points.mean(0) - points.new_tensor([0, 0, _BALL / 2])
     damping = 1e-3 * torch.eye(3, dtype=points.dtype)
     for _ in range(_FITS):
@@ -190,7 +193,7 @@ def _fit_ball(points: Float[Tensor, "m 3"]) -> Float[Tensor, "3"]:
 def _is_around(
     points: Float[Tensor, "m 3"], middle: Float[Tensor, "3"], table: Float[Tensor, ""]
 ) -> Bool[Tensor, "m"]:
-    """Return which points are above the table and within the range of a map."""
+    """Return which points are above the table and within a height map around ``middle``."""
     x, y, z = points.unbind(1)
     far = CELL * CELLS / 2
     return (z > table + _SEAM) & ((x - middle[0]).abs() < far) & ((y - middle[1]).abs() < far)
@@ -206,7 +209,7 @@ def is_robot(points: Float[Tensor, "m 3"], felt: Float[Tensor, "p"]) -> Bool[Ten
 
 
 def table_height(points: Float[Tensor, "m 3"]) -> Float[Tensor, ""]:
-    """Return the height in metres at which most points lie, or 0 if there are no points."""
+    """Return the height (m) of the table, at which most points lie, or 0 if there are no points."""
     places = ((points[:, 2] - _LOWEST) / _BIN).floor()
     points = points[(places >= 0) & (places < _BINS)]
     if len(points) == 0:
@@ -231,7 +234,7 @@ def box_of(
 def height_grid(
     points: Float[Tensor, "m 3"], middle: Float[Tensor, "3"], table: Float[Tensor, ""]
 ) -> Float[Tensor, "48 48"]:
-    """Return the maximum height of each cell's points above the table, in units of ``STEP``."""
+    """Return the maximum height above the table in each cell, in units of ``STEP``."""
     cells = ((points[:, :2] - middle[:2]) / CELL + CELLS / 2).floor().long()
     inside = ((cells >= 0) & (cells < CELLS)).all(1)
     cells, heights = cells[inside], ((points[inside, 2] - table) / STEP).round().clamp(0, 255)
@@ -241,7 +244,7 @@ def height_grid(
 
 
 def _close(grid: Float[Tensor, "48 48"]) -> Float[Tensor, "48 48"]:
-    """Return a map in which holes of up to two cells are filled."""
+    """Return a height map in which holes of up to two cells are filled."""
     padded = functional.pad(grid[None, None], (2, 2, 2, 2))
     wide = functional.max_pool2d(padded, 5, 1, 2)
     closed = -functional.max_pool2d(-wide, 5, 1, 2)
@@ -254,7 +257,7 @@ def _write_target(
     middle: Float[Tensor, "3"],
     half: Float[Tensor, "3"],
 ) -> None:
-    """Write the target's slot, the offset from tool to target, and whether the target is held."""
+    """Write the target's slot, its offset from the tool, and whether it is held."""
     slot = state[_SLOT : _SLOT + len(SLOT_BOUNDS)]
     slot[:3], slot[9:12] = middle, half
     slot[3] = slot[7] = slot[18] = 1.0

@@ -98,7 +98,7 @@ def _needs_grasp(state: Float[Tensor, "n s"]) -> Bool[Tensor, "n"]:
 
 
 def _fits(state: Float[Tensor, "n s"], memory: Float[Tensor, "n 15"]) -> Bool[Tensor, "n"]:
-    """Return whether a memory's grasp is still valid."""
+    """Return whether the grasp in a policy's memory is still valid."""
     moved = state[:, _TARGET] - memory[:, 2:5]
     aside = (state[:, _TOOL] - memory[:, 5:8])[:, :2].norm(dim=1)
     still = (moved[:, :2].norm(dim=1) < _MOVED) & (moved[:, 2].abs() < _MOVED)
@@ -107,14 +107,14 @@ def _fits(state: Float[Tensor, "n s"], memory: Float[Tensor, "n 15"]) -> Bool[Te
 
 
 def _plan_of(state: Float[Tensor, "n s"], memory: Float[Tensor, "n 15"]) -> Float[Tensor, "n 6"]:
-    """Return a memory's grasp in the format ``grasp_head.PLAN``; the estimated heading is 0."""
+    """Return the grasp in a policy's memory in the format ``grasp_head.PLAN``, with heading 0."""
     aside = memory[:, 5:7] - state[:, _TARGET][:, :2]
     up = memory[:, 7] - lowest_of(state)
     return torch.cat([aside, up[:, None], memory[:, 8:_GRASP]], 1)
 
 
 def _memory_of(state: Float[Tensor, "n s"], plan: Float[Tensor, "n 6"]) -> Float[Tensor, "n 11"]:
-    """Return the memory entries of a grasp."""
+    """Return the memory entries that store a grasp."""
     middle = state[:, _TARGET]
     place = torch.cat([middle[:, :2] + plan[:, :2], (lowest_of(state) + plan[:, 2])[:, None]], 1)
     known = torch.tensor([1.0, 0.0]).expand(len(state), 2)

@@ -200,7 +200,7 @@ class BatchPPO:
 
 @dataclass(frozen=True, eq=False)
 class _Batch:
-    """The steps of a rollout, one row each, and the standard deviations of their actions."""
+    """The steps of a rollout, one per row, and the log standard deviations of the actions."""
 
     seen: Seen
     actions: Float[Tensor, "m a"]

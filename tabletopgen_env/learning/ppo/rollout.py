@@ -63,11 +63,11 @@ def advantages(
     gamma: float,
     gae_lambda: float,
 ) -> Float[Tensor, "t n"]:
-    """Compute generalised advantage estimates (Schulman et al. 2016, eq. 16), ending at ``over``.
+    """Compute generalised advantage estimates for episodes that end at ``over``.
 
-    ``last`` is the value after the last step. The advantage of step k is delta_k + gamma * lambda *
-    advantage_(k + 1), with delta_k = r_k + gamma * V_(k + 1) - V_k; after the last step of an
-    episode the following terms are 0.
+    See eq. 16 of Schulman et al. (2016). ``last`` is the value after the last step. The advantage
+    of step k is delta_k + gamma * lambda * advantage_(k + 1), with delta_k = r_k + gamma * V_(k +
+    1) - V_k; after the last step of an episode the following terms are 0.
     """
     found = torch.empty_like(rewards)
     ahead, value = torch.zeros_like(last), last

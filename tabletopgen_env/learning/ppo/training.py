@@ -94,7 +94,7 @@ def new_ppo(recipe: Recipe, like: Any, seed: int, worlds: TensorWorlds | None = 
 
 
 def _reset(worlds: TensorWorlds, seed: int, steps: int) -> Seen:
-    """Reset the worlds with seeds derived from the run's seed and the steps so far."""
+    """Reset the worlds with seeds derived from the run's seed and the number of steps so far."""
     state = np.random.SeedSequence((seed, steps, 6)).generate_state(worlds.count)
     seeds = [int(s) % 2**31 for s in state]
     return worlds.reset(seeds[0] if isinstance(worlds.env, TabletopBatchEnv) else seeds)

@@ -1,4 +1,4 @@
-"""Banks of scenes for a batch: one union model, and a row of varying fields for each scene."""
+"""Banks of scenes for a batch: one model that fits all scenes, and a row of fields for each."""
 
 from __future__ import annotations
 
@@ -159,14 +159,14 @@ def _read(
 
 
 def _unfit(contents: dict[int, SceneContent], placed: list[_Placed]) -> list[LeftOut]:
-    """Return the scenes that do not fit the given shape."""
+    """Return the scenes that do not fit the given shape, each with the reason."""
     reason = "it has more objects or collision parts than the given shape has room for"
     unfit = contents.keys() - {scene.source for scene in placed}
     return [LeftOut(k, contents[k].name, reason) for k in unfit]
 
 
 def _place(contents: dict[int, SceneContent], shape: UnionShape) -> Iterator[_Placed]:
-    """Yield the scenes that fit, with the slots of their objects."""
+    """Yield the scenes that fit ``shape``, with the slots of their objects."""
     for source, content in contents.items():
         if (slots := shape.assign(content)) is not None:
             yield _Placed(source, content, slots)

@@ -155,7 +155,7 @@ class BatchWorld:
         self._update_poses(at)
 
     def step(self, ctrl: Float[Tensor, "w 8"], substeps: int) -> Bool[Tensor, "w"]:
-        """Make ``substeps`` steps of ``TIMESTEP`` seconds in every world; return the mask ``bad``.
+        """Make ``substeps`` steps of ``TIMESTEP`` seconds in every world; return which failed.
 
         The arm's servo commands are interpolated from those of the last call to ``ctrl``, as in
         ``World.step``; the gripper's command changes at once.

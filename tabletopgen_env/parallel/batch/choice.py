@@ -1,4 +1,4 @@
-"""The choice of the next episodes of a deck: uniform, or by a curriculum."""
+"""The choice of a deck's next episodes, uniformly or by a curriculum."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from ...scenes.lookup import graded_of
 
 
 class EpisodeChoice:
-    """The choice of a deck's episodes on the host, with a record of which world plays which.
+    """The choice of a deck's episodes on the host, and a record of each world's current episode.
 
     ``sampler`` draws a bin of difficulty, weighted by the deck's number of episodes per bin; then
     one of the bin's episodes is drawn uniformly. Success rates stay with the sampler when the deck
@@ -34,7 +34,7 @@ class EpisodeChoice:
         self._rng = np.random.default_rng((seed, 9))
 
     def hold(self, difficulties: Float[np.ndarray, "e"]) -> None:
-        """Switch to episodes of these difficulties, none of which any world plays yet."""
+        """Switch to episodes of these difficulties; no world plays any of them yet."""
         self._bins = self.sampler.bins(difficulties)
         self._by_bin = np.argsort(self._bins, kind="stable")
         self._counts = np.bincount(self._bins, minlength=len(self.sampler.counts))
@@ -59,7 +59,7 @@ class EpisodeChoice:
 
 
 def sampler_of(scenes: SceneChoice) -> DifficultySampler:
-    """Return the sampler of a curriculum, or one with a single bin for other scenes."""
+    """Return a curriculum's difficulty sampler, or a sampler with a single bin for other scenes."""
     if isinstance(scenes, CurriculumScenes):
         return scenes.sampler
     if isinstance(scenes, str) and graded_of(scenes) is not None:

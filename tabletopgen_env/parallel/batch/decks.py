@@ -1,4 +1,4 @@
-"""Decks, each a bank of scenes with drawn episodes, built here or in the background."""
+"""Decks, each a bank of scenes with drawn episodes, built in this or in a separate process."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ SCENES = 64
 
 @dataclass(frozen=True)
 class DeckConfig:
-    """The numbers of scenes and of episodes, and limits on the scenes.
+    """The numbers of scenes and episodes of a deck, and limits on its scenes.
 
     Args:
         scenes: number of scenes drawn from a source that generates them; None for ``SCENES``, or
@@ -67,7 +67,7 @@ class DeckConfig:
 
 @dataclass(frozen=True, eq=False)
 class Deck:
-    """A bank of scenes, and the episodes of each source world.
+    """A bank of scenes, and the episodes drawn for each source world.
 
     ``idle`` lists the scenes without a valid task; ``bank.left_out`` lists the scenes excluded from
     the bank.
@@ -109,7 +109,7 @@ class DeckPlan:
         return read_settings(self.settings).observation.mode.startswith("pixels")
 
     def make(self, seed: int, shape: UnionShape | None = None) -> Deck:
-        """Draw scenes and episodes; ``shape`` is the shape that scenes must fit.
+        """Build a deck of drawn scenes and episodes; the scenes must fit ``shape`` if it is given.
 
         Raises:
             InputError: no scene is left.

@@ -1,4 +1,4 @@
-"""A Gymnasium vector environment of many worlds on torch tensors, each with a different table."""
+"""A Gymnasium vector environment that simulates many tables at once and returns torch tensors."""
 
 from __future__ import annotations
 
@@ -280,7 +280,7 @@ class TabletopBatchEnv(VectorEnv[Any, Any, Any]):
         self.idle = deck.idle
 
     def _begin(self, mask: Bool[Tensor, "n"], rows: Int[Tensor, "n"] | None = None) -> None:
-        """Start episodes in some worlds: randomly drawn ones, or ``rows`` of ``episodes``.
+        """Start episodes in the masked worlds, either random ones or those in the given ``rows``.
 
         Both arguments are on the host, to avoid device synchronisation.
         """
@@ -304,7 +304,7 @@ class TabletopBatchEnv(VectorEnv[Any, Any, Any]):
         self._commands = restart(before, joints, mask.to(self.device))
 
     def _look(self) -> tuple[Readings, Agreement]:
-        """Return the readings and the goals' agreement; reorder slots if an active goal changed."""
+        """Return the worlds' readings and ``Agreement`` with the goals; update the slot order."""
         goals, state = self._goals, self.world.state
         touched = take_rows(state.touches, goals.target)
         seen = Readings(

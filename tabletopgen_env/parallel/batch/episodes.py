@@ -83,7 +83,7 @@ class EpisodeDraw:
             yield self._env.world
 
     def explain(self, error: InputError) -> InputError:
-        """Extend a bank's error by the reason why some scenes have no valid task."""
+        """Return the error of a bank, extended by the reason why some scenes have no valid task."""
         if not self.left_out:
             return error
         first = self.left_out[0]
@@ -115,7 +115,7 @@ class EpisodeDraw:
         )
 
     def _rate(self, scene: Scene, target: str | None) -> float:
-        """Return the difficulty of a scene with a target, cached per target."""
+        """Return the difficulty of a scene for a given target object, cached per target."""
         if self._scene is not scene:
             self._scene, self._known = scene, {}
         if target not in self._known:
@@ -125,7 +125,7 @@ class EpisodeDraw:
 
 @dataclass(frozen=True, eq=False)
 class EpisodeTable:
-    """Episodes of a bank's scenes on a device, one row (e) each, in float32.
+    """The episodes of a bank's scenes as float32 arrays on a device, with one row (e) per episode.
 
     Attributes:
         scene: index of the scene in the bank.
@@ -151,7 +151,7 @@ class EpisodeTable:
     def of(
         cls, bank: SceneBank, episodes: Sequence[Sequence[DrawnEpisode]], device: torch.device
     ) -> EpisodeTable:
-        """Select the episodes of a bank's scenes from those of all its source worlds."""
+        """Create the table for a bank's scenes from the episodes drawn for all of its sources."""
         pairs = [(k, one) for k, source in enumerate(bank.sources) for one in episodes[source]]
         blank = GoalRows.blank(len(pairs), pairs[0][1].goals.kind.shape[1], np.float32)
         scene = np.array([k for k, _ in pairs])
@@ -180,7 +180,7 @@ class EpisodeTable:
         )
 
     def take_goals(self, rows: Int[Tensor, "k"]) -> GoalRows:
-        """Return a copy of the goals of some episodes."""
+        """Return a copy of the goals of the episodes in ``rows``."""
         return GoalRows(**{f.name: getattr(self.goals, f.name)[rows] for f in fields(GoalRows)})
 
     def __len__(self) -> int:

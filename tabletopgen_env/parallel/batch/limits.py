@@ -63,7 +63,7 @@ class BatchLimits:
         return cls() if bank.slots <= 6 else cls(contacts=256, depths=64, rows=1100)
 
     def pools(self, worlds: int) -> tuple[int, int]:
-        """Return the numbers of contacts and depth searches that all worlds share.
+        """Return the numbers of contacts and penetration-depth searches reserved for all worlds.
 
         The pools include spare entries, so that one diverging world does not exhaust them.
         """
@@ -98,7 +98,7 @@ def check_memory(bank: SceneBank, limits: BatchLimits, worlds: int, device: torc
 
 
 def _state_bytes(model: mujoco.MjModel, limits: BatchLimits) -> int:
-    """Return the growth of MuJoCo Warp's data per world, in bytes."""
+    """Return the number of bytes by which each world enlarges MuJoCo Warp's data."""
     engine = Engine.load()
     with engine.warp.ScopedDevice("cpu"):
         one, two = (
@@ -125,7 +125,7 @@ def _array_bytes(engine: Engine, values: Any) -> int:
 
 
 def _depth_bytes(bank: SceneBank) -> int:
-    """Return the bytes that one depth search needs for a polytope and two clipped faces.
+    """Return the memory in bytes of one penetration-depth search: a polytope and two clipped faces.
 
     The sizes are those of the arrays that ``mujoco_warp._src.collision_convex`` allocates.
     """

@@ -22,7 +22,7 @@ from .union.look_union import LookRows, LookUnion
 
 
 class BatchPictures:
-    """A renderer of a bank's worlds with haze but no shadows, as in ``TabletopEnv`` for learning.
+    """A renderer of a batch of worlds, with haze but no shadows, as in ``TabletopEnv``'s pictures.
 
     Glass is opaque, and so is the goal marker, which marks the episode's first goal.
 
@@ -77,7 +77,7 @@ class BatchPictures:
         self._haze = to_device(255 * np.array(HAZE), device)
 
     def draw(self, state: BatchState) -> dict[str, UInt8[Tensor, "w h v 3"]]:
-        """Render every camera's view; return pictures (0 to 255) by ``ObservationConfig.key``."""
+        """Render all cameras; return the pictures (0 to 255) keyed by ``ObservationConfig.key``."""
         self._place(state)
         warp, physics = self._engine.warp, self._engine.physics
         with warp.ScopedDevice(self._device):
@@ -90,7 +90,7 @@ class BatchPictures:
         return {key: pictures[:, k] for k, key in enumerate(self._keys)}
 
     def _place(self, state: BatchState) -> None:
-        """Update all poses from the state."""
+        """Set the poses of geoms, cameras and lights from the state of the worlds."""
         scene = state.scene
         row = {name: values[scene] for name, values in self._rows.items()}
         for name, source in (("geom_size", "size"), ("geom_dataid", "data"),

@@ -53,7 +53,7 @@ class Simulator:
         self.exchange(model)
 
     def exchange(self, model: mujoco.MjModel) -> None:
-        """Load a model of equal shape without recompilation; all fields must then be set."""
+        """Load another model of equal shape without recompiling; the caller must set all fields."""
         warp, physics = self._engine.warp, self._engine.physics
         # A field can mark a mesh as absent only if it has entries for more than one world.
         sizes = dict.fromkeys(MODEL_FIELDS, max(2, self._worlds))
@@ -72,7 +72,7 @@ class Simulator:
         warp.synchronize_device(self._device)
 
     def array(self, name: str) -> Tensor:
-        """Return an array of the data ("qpos") or of its contacts ("contact.geom")."""
+        """Return an array of the simulation data, such as "qpos" or "contact.geom"."""
         values: Any = self._data
         for part in name.split("."):
             values = getattr(values, part)
@@ -88,7 +88,7 @@ class Simulator:
         self._launch(self._step)
 
     def reset(self, worlds: Int[Tensor, "k"]) -> None:
-        """Put some worlds at rest, without contacts, forces or solver warm start."""
+        """Reset the data of some worlds, including velocities, contacts, forces and warm starts."""
         self.chosen.zero_()
         self.chosen[worlds] = True
         self._launch(self._reset)

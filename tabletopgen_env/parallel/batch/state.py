@@ -77,7 +77,7 @@ class BatchState:
 
     @classmethod
     def of(cls, arrays: Mapping[str, Tensor], at: Addresses, worlds: int) -> BatchState:
-        """Return views of a simulator's arrays as a state; the bank's arrays are not filled in."""
+        """Return a state with views of a simulator's arrays, and zeros for those of a bank."""
         qpos, qvel = arrays["qpos"], arrays["qvel"]
         slots = at.slot_bodies.stop - at.slot_bodies.start
 

@@ -87,7 +87,7 @@ def ik_steps(
     rotation: Float[Array, "n 3 3"],
     pull: float,
 ) -> Float[Array, "n 7"]:
-    """Take one damped-least-squares step per arm towards a tool pose, as ``kinematics.ik_step``."""
+    """Take one damped-least-squares step per arm to a tool pose; see ``kinematics.ik_step``."""
     xp = namespace(joints)
     arms = arms_at(joints)
     turn = rotation_vectors(rotation @ xp.matrix_transpose(arms.hand))

@@ -24,7 +24,7 @@ def like(values: Float[np.ndarray, "..."], other: Array) -> Array:
 
 
 def take_rows(values: Array, index: Array) -> Array:
-    """Gather ``values[w, index[w, g]]``: from (n, k, ...) and (n, g) to (n, g, ...)."""
+    """Return ``values[w, index[w, g]]`` for (n, k, ...) values and (n, g) indices: (n, g, ...)."""
     xp = namespace(values)
     worlds = xp.arange(values.shape[0], device=device(values))
     return values[worlds[:, None], index]

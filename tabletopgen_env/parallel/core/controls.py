@@ -61,7 +61,7 @@ def start_commands(joints: Float[Array, "n 7"]) -> Commands:
 
 
 def restart(commands: Commands, joints: Float[Array, "n 7"], rows: Bool[Array, "n"]) -> Commands:
-    """Return commands with some ``rows`` reset to ``joints``."""
+    """Return the commands, with those in the masked ``rows`` reset to hold ``joints``."""
     fresh, xp = start_commands(joints), namespace(joints)
 
     def pick(new: Array, old: Array) -> Array:
@@ -104,7 +104,7 @@ def _move(servos: Servos, before: Commands, pose: RobotPose, action: Array) -> C
 
 
 def _follow(servos: Servos, commands: Commands, rotation: Array) -> Commands:
-    """Solve for the joints that follow the commanded points and ``rotation``."""
+    """Return commands with the joints that follow the commanded points and ``rotation``."""
     xp = namespace(rotation)
     before, joints = commands.joints, commands.joints
     pull = PULL * min(1.0, servos.share)

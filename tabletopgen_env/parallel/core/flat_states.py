@@ -18,7 +18,7 @@ from .readings import Readings
 def slot_orders(
     rows: GoalRows, seen: Readings, active: Int[Array, "n"], present: Bool[Array, "n k"]
 ) -> Int[Array, "n slots"]:
-    """Return the objects' rows in slot order, with -1 for empty slots.
+    """Return the indices of the objects in the slots of each world, with -1 for empty slots.
 
     The order is target, the goal's object, then the nearest objects; only objects that are
     ``present`` have slots.
@@ -49,7 +49,7 @@ def flat_states(
     half_extents: Float[Array, "n k 3"],
     bare: bool = False,
 ) -> Float[Array, "n entries"]:
-    """Return the flat states as ``float32``, without hints or noise.
+    """Return the flat state observations as ``float32``, without grasp hints or noise.
 
     ``half_extents`` are those of the objects, metres; ``bare`` limits the result to entries 0-267.
     """

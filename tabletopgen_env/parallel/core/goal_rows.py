@@ -1,4 +1,4 @@
-"""The goals of n episodes as arrays: a kind and its parameters for each ``goals.goal``.
+"""The goals of n episodes as arrays: the kind and the parameters of each ``goals.goal.Goal``.
 
 Everything is in the base frame of each world's robot.
 """
@@ -83,7 +83,7 @@ class GoalRows:
 
     @classmethod
     def blank(cls, worlds: int, goals: int, kind: type = np.float64) -> GoalRows:
-        """Return NumPy rows of padding for ``write``; ``kind`` is the dtype of the floats."""
+        """Return NumPy rows without goals for ``write`` to fill; ``kind`` is the type of floats."""
         shapes = {"center": (3,), "semi": (3,), "up": (3,), "points": (POINTS, 3)}
         found = {
             f.name: np.zeros((worlds, goals, *shapes.get(f.name, ())), kind) for f in fields(cls)
@@ -142,7 +142,7 @@ def _outer_points(world: World, name: str) -> Float[np.ndarray, "p 3"]:
 
 
 def regions(rows: GoalRows, seen: Readings) -> tuple[Float[Array, "n g 3"], Float[Array, "n g"]]:
-    """Return the current centres of the regions, and their yaws, defined as in goal vectors."""
+    """Return the current centres and yaws of the goals' regions, defined as in goal vectors."""
     xp = namespace(rows.center)
     turned = take_rows(seen.rotations, rows.reference)
     center = take_rows(seen.positions, rows.reference) + apply(turned, rows.center)
@@ -161,7 +161,7 @@ def targets(rows: GoalRows, seen: Readings) -> Float[Array, "n g 3"]:
 
 
 def are_settled(rows: GoalRows, seen: Readings) -> Bool[Array, "n g"]:
-    """Return whether targets are in the required state, regardless of their position."""
+    """Return whether the target of each goal is in the required state, apart from its position."""
     xp = namespace(rows.center)
     kind, turned = rows.kind, take_rows(seen.rotations, rows.reference)
     own = take_rows(seen.rotations, rows.target)

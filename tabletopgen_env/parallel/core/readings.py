@@ -34,7 +34,7 @@ class WorldRows:
         self._base, self._turn = np.zeros((worlds, 3)), np.tile(np.eye(3), (worlds, 1, 1))
 
     def copy(self, row: int, world: World, goals: Sequence[Goal]) -> None:
-        """Copy a world's current state; ``goals`` are those of its episode."""
+        """Copy a world's current state to a row; ``goals`` are the goals of its episode."""
         state, count = world.state, len(world.names)
         self._joints[row] = state.joints
         self._joint_velocities[row] = state.joint_velocities

@@ -24,7 +24,7 @@ _LINE = 64  # bytes of a cache line, the alignment of each array
 
 @dataclass(frozen=True, eq=False)
 class SlotArrays:
-    """The rows of n slots.
+    """Arrays of actions, observations and flags, with one row for each of n slots.
 
     Attributes:
         actions: next actions, validated and clipped to their space.

@@ -28,7 +28,7 @@ Leaf = tuple[tuple[str, ...], type | None]
 
 @dataclass(frozen=True, eq=False)
 class InfoChange:
-    """The changes to a slot's info except its numbers: all of its leaves and its other values."""
+    """A slot's changed info without its numbers: the paths of all leaves, and the other values."""
 
     slot: int
     leaves: tuple[Leaf, ...]
@@ -46,7 +46,7 @@ def merge(count: int, infos: Iterable[tuple[int, dict[str, Any]]]) -> dict[str, 
 
 
 class InfoWriter:
-    """A writer of infos to columns of ``numbers``; ``first`` is the slot of the first column."""
+    """A writer of the numbers in infos to a column of ``numbers`` per slot, from slot ``first``."""
 
     def __init__(self, numbers: Float[np.ndarray, "m n"], first: int) -> None:
         self._numbers = numbers
@@ -54,7 +54,7 @@ class InfoWriter:
         self._sent: list[InfoChange | None] = [None] * numbers.shape[1]
 
     def write(self, k: int, info: dict[str, Any]) -> InfoChange | None:
-        """Write the info of column ``k``; return the changes to be sent, if any."""
+        """Write the numbers in an info to column ``k``; return the other changes, or None."""
         leaves: list[Leaf] = []
         numbers: list[float] = []
         others: list[Any] = []
@@ -68,7 +68,7 @@ class InfoWriter:
 
 
 class InfoReader:
-    """A reader of the infos that writers have written and sent."""
+    """A reader of the infos that ``InfoWriter`` objects have written and sent."""
 
     def __init__(self, numbers: Float[np.ndarray, "m n"]) -> None:
         self._numbers = numbers
@@ -107,7 +107,7 @@ class InfoReader:
         return info
 
     def _form_of(self, infos: dict[str, Any]) -> dict[str, Any]:
-        """Return the structure of infos, with each array of numbers replaced by row and type."""
+        """Return the structure of infos, with arrays of numbers replaced by their row and type."""
         change = self._known[0]
         assert change is not None
         numbers = [(path, kind) for path, kind in change.leaves if kind is not None]
@@ -123,7 +123,7 @@ def _take_apart(
     numbers: list[float],
     others: list[Any],
 ) -> None:
-    """Append an info's leaves below ``path``, its numbers and its other values to the lists."""
+    """Append the paths, numbers and other values of an info below ``path`` to the three lists."""
     for key, value in info.items():
         kind = _KINDS.get(type(value))
         exact = kind is not int or abs(value) <= _LARGEST

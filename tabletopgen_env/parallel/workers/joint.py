@@ -70,7 +70,7 @@ class JointSlots(SlotSet):
         self._begun = np.zeros(count, bool)  # since the last step
 
     def step_all(self, first: int) -> list[Any]:
-        """Step or reset every slot; return their infos or errors."""
+        """Step or reset every slot; return the info or the error of each slot."""
         over = np.flatnonzero(self._rows.over).tolist()
         playing = np.flatnonzero(~self._rows.over)
         answers: list[Any] = [None] * len(self.envs)
@@ -136,7 +136,7 @@ class JointSlots(SlotSet):
         return infos
 
     def _steer(self, playing: Slots) -> None:
-        """Compute and write the servo commands of actions."""
+        """Compute the servo commands for the current actions, and write them to the worlds."""
         one = self._inner[0]
         if self._begun.any():
             self._seen = self._read(np.flatnonzero(self._begun))
@@ -154,7 +154,7 @@ class JointSlots(SlotSet):
             state.servos[:], state.gripper[0] = ctrl[k, :7], ctrl[k, 7]
 
     def _finish(self, k: int, info: dict[str, Any]) -> dict[str, Any]:
-        """Write the observation of slot ``k``, or reset it after its episode; return its info."""
+        """Write slot ``k``'s observation, or reset the slot after its episode; return its info."""
         rows, ended = self._rows, self._limit is not None and self._steps[k] >= self._limit
         seen, reward = self._observe(k), float(rows.rewards[k])
         rows.over[k] = ended
@@ -173,7 +173,7 @@ class JointSlots(SlotSet):
                 "desired_goal": desired[k]}  # fmt: skip
 
     def _read(self, slots: Slots) -> Readings:
-        """Refresh the readings of some slots; return them all."""
+        """Refresh the readings of some slots; return the readings of all slots."""
         for k in slots:
             env = self._inner[k]
             self._gathered.copy(int(k), env.world, env.episode.goals)

@@ -37,7 +37,7 @@ _KEPT = 4096  # lent references; each slot has one at a time
 
 @dataclass(frozen=True)
 class Wish:
-    """A request to the source: to draw a scene with ``rng``, or to record a result.
+    """A request to a scene source, either to draw a scene with ``rng`` or to record a result.
 
     ``key`` identifies the scene whose episode ended; ``success`` is its result.
     """
@@ -48,14 +48,14 @@ class Wish:
 
 
 def is_lent(source: object) -> bool:
-    """Return whether a source must stay in one process, as draws depend on more than ``rng``."""
+    """Return whether a source must stay in one process, since draws need more than ``rng``."""
     return isinstance(source, SceneSource) and type(source) not in (FixedScenes, FreshScenes)
 
 
 def shared_scene(
     scene: SceneChoice, needs: Needs, start: SceneChoice, processes: bool
 ) -> SceneChoice:
-    """Return the option "scene" of a reset in a form that all slots can use.
+    """Return the ``reset`` option "scene" in a form that all slots can use.
 
     Slots draw one at a time from a source that must stay in one place.
 
@@ -76,7 +76,7 @@ def shared_scene(
 
 
 class AskedScenes:
-    """The scenes of a source in another process; ``connect`` sets the function that requests them.
+    """A proxy for a scene source in another process; ``connect`` sets the function for requests.
 
     A copy must be connected before use.
     """
@@ -85,7 +85,7 @@ class AskedScenes:
         self._ask: Callable[[Wish], Any] | None = None
 
     def connect(self, ask: Callable[[Wish], Any]) -> None:
-        """Set the function that sends a request and returns the answer or raises its error."""
+        """Set the function that sends a request, and returns the answer or raises the error."""
         self._ask = ask
 
     def draw(self, rng: np.random.Generator) -> SceneRef:
@@ -105,7 +105,7 @@ class AskedScenes:
 
 
 class LentScenes:
-    """A source lent to other processes."""
+    """A scene source that serves requests from other processes."""
 
     def __init__(self, source: SceneSource) -> None:
         self._source = source
@@ -149,7 +149,7 @@ class LentScenes:
 
 @dataclass(frozen=True, eq=False)
 class _Sent:
-    """A loader that returns the scene sent with the reference."""
+    """A loader of the scene that was sent together with its reference."""
 
     scene: Scene
 

@@ -44,7 +44,7 @@ class ShardEnvs:
     limit: int | None = None
 
     def make(self, rows: SlotArrays) -> SlotSet:
-        """Create the slots with their rows."""
+        """Create the runner of the environments, which writes to ``rows``."""
         if self.joint:
             return JointSlots(self.envs, self.mode, rows, self.limit)
         return SlotSet(self.envs, self.mode, rows)
@@ -104,7 +104,7 @@ def serve(place: ShardPlace, packed: bytes) -> None:
 
 
 class _Shard:
-    """The slots, the columns of their infos, and the handlers of requests."""
+    """The slots of a shard, the writer of their infos, and the handlers of requests."""
 
     def __init__(self, channel: Connection, place: ShardPlace, own: ShardEnvs) -> None:
         block, sample = SharedBlock(place.memory, place.size), own.envs[0]
@@ -152,7 +152,7 @@ class _Shard:
         return [attempt(work, k, self._first) for k in slots]
 
     def _tell(self, slots: Iterable[int], infos: Iterable[Any]) -> ShardAnswer:
-        """Write infos; return their changes and the first error."""
+        """Write the infos of slots; return an answer with their changes and the first error."""
         infos = list(infos)
         pairs = [(k, i) for k, i in zip(slots, infos, strict=True) if isinstance(i, dict)]
         changes = [change for k, i in pairs if (change := self._infos.write(k, i)) is not None]

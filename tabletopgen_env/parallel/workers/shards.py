@@ -115,7 +115,7 @@ class ShardSlots:
         return self._reader.read(seeds)
 
     def visit(self, jobs: Mapping[int, Job]) -> list[Any]:
-        """Run a job on each of some environments; jobs and results are pickled."""
+        """Run each job on the environment of its slot; jobs and results are pickled."""
         answers = self._request({
             shard: pack(("visit", (of,)), "The functions for the slots")
             for shard, of in self._share(jobs).items()
@@ -171,7 +171,7 @@ class ShardSlots:
         return block.take((NUMBERS, count), float)
 
     def _begin(self) -> tuple[int, ...]:
-        """Wait until every shard has its environments; return the ids of the processes."""
+        """Wait until every shard has unpickled its environments; return the process ids."""
         self._owing = set(range(len(self._channels)))
         try:
             answers = self._finish()
@@ -188,7 +188,7 @@ class ShardSlots:
     # ----------------------------------------------------------------------------------- talking
 
     def _share(self, told: Mapping[int, Any]) -> dict[int, dict[int, Any]]:
-        """Split slot values by shard, numbering slots from the first slot of each shard."""
+        """Group the values of slots by shard, with slots numbered from the shard's first slot."""
         shares: dict[int, dict[int, Any]] = {}
         for k in sorted(told):
             shard = int(np.searchsorted(self._firsts, k, "right")) - 1

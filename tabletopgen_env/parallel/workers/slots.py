@@ -15,14 +15,14 @@ Job = Callable[[gym.Env], Any]
 
 
 class SlotRunner(Protocol):
-    """Interface of all slots of a vector environment, on threads or in processes.
+    """The interface that runs all slots of a vector environment, on threads or in processes.
 
     If slots raise errors, the first slot's error is raised after all slots are done.
     """
 
     @property
     def arrays(self) -> SlotArrays:
-        """The rows of all slots."""
+        """The arrays of actions, observations and results, with one row per slot."""
         ...
 
     @property
@@ -31,7 +31,7 @@ class SlotRunner(Protocol):
         ...
 
     def step(self) -> dict[str, Any]:
-        """Step every slot with its row of ``actions``, or reset it; return their infos."""
+        """Step every slot with its row of ``arrays.actions``, or reset it; return the infos."""
         ...
 
     def reset(self, seeds: Mapping[int, int | None], options: dict[str, Any]) -> dict[str, Any]:
@@ -48,7 +48,7 @@ class SlotRunner(Protocol):
 
 
 class SlotSet:
-    """Environments, their autoreset mode and their rows.
+    """Environments with their autoreset mode, and the arrays to which results are written.
 
     Slot k of this set uses row k. No two threads may work on the same slot.
     """
@@ -59,7 +59,7 @@ class SlotSet:
         self._rows = rows
 
     def step_all(self, first: int) -> list[Any]:
-        """Step or reset every slot; return infos or errors. Slots are numbered from ``first``."""
+        """Step or reset every slot; return its info or error. Slots are numbered from ``first``."""
         return [attempt(self.step, k, first) for k in range(len(self.envs))]
 
     def step(self, k: int) -> dict[str, Any]:
@@ -93,7 +93,7 @@ class SlotSet:
         return info
 
     def _end(self, k: int, reward: float, terminated: bool, truncated: bool) -> None:
-        """Store the results of a step."""
+        """Store the results of a step of slot ``k``."""
         rows = self._rows
         rows.rewards[k], rows.terminated[k], rows.truncated[k] = reward, terminated, truncated
 

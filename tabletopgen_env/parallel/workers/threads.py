@@ -43,7 +43,7 @@ class ThreadSlots:
         return merge(len(self.slots.envs), zip(seeds, self._each(start, seeds), strict=True))
 
     def visit(self, jobs: Mapping[int, Job]) -> list[Any]:
-        """Run a job on each of some environments."""
+        """Run each job on the environment of its slot."""
         return self._each(lambda k: jobs[k](self.slots.envs[k]), jobs)
 
     def close(self) -> None:

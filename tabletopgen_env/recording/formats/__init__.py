@@ -61,7 +61,7 @@ def writer(
     env: gym.Env[Any, Any],
     lerobot: LeRobotConfig,
 ) -> Writer:
-    """Return the writer of a format for the dataset at ``place``, in a separate folder."""
+    """Return the writer of a format for a dataset at ``place``, a path in a separate folder."""
     if format == "minari":
         from .minari_writer import MinariWriter
 

@@ -64,7 +64,7 @@ class RobomimicWriter:
         self._summaries.add(episode.summaries())
 
     def finish(self) -> None:
-        """Write the total, the split and the statistics."""
+        """Write the number of steps, the training and validation split, and the statistics."""
         self._data.attrs["total"] = self._total
         names = np.array([f"demo_{k}" for k in range(self.kept)], np.bytes_)
         valid = np.arange(1, len(names) + 1) % _VALID_EVERY == 0
@@ -81,7 +81,7 @@ class RobomimicWriter:
 
 
 def _observations(episode: RecordedEpisode) -> dict[str, np.ndarray]:
-    """Return the observations for robomimic, with one row more than the steps."""
+    """Return the observations for robomimic, with one row more than there are steps."""
     found = {"proprio": episode.proprio}
     if episode.state is not None:
         found["state"] = episode.state

@@ -47,14 +47,14 @@ class Limits:
 
 
 class _Rollover:
-    """The current file, replaced by a new one when it would become too large."""
+    """The number of the current file, which increases when the file would become too large."""
 
     def __init__(self, most_mb: float, files: int) -> None:
         self._most, self._files = most_mb * 2**20, files
         self._number, self._size = 0, 0
 
     def place(self, size: int) -> tuple[int, int]:
-        """Return the chunk and file for ``size`` more bytes."""
+        """Return the numbers of the chunk and of the file for ``size`` more bytes."""
         if self._size and self._size + size > self._most:
             self._number += 1
             self._size = 0
@@ -63,7 +63,7 @@ class _Rollover:
 
 
 class _Tables:
-    """A writer of tables with equal columns to files, with each table as a row group."""
+    """A writer of Parquet files that stores each table, all with equal columns, as a row group."""
 
     def __init__(self, root: Path, pattern: str) -> None:
         self._root, self._pattern = root, pattern
@@ -71,7 +71,7 @@ class _Tables:
         self._writer: pq.ParquetWriter | None = None
 
     def add(self, table: pa.Table, chunk: int, file: int) -> None:
-        """Write one more row group."""
+        """Write a table as one more row group of a file."""
         import pyarrow.parquet as pq
 
         path = self._root / self._pattern.format(chunk_index=chunk, file_index=file)

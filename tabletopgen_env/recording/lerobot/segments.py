@@ -1,4 +1,4 @@
-"""Completed episodes on disk before assembly, one folder each, published atomically."""
+"""Completed episodes on disk before assembly, each in a folder that is published atomically."""
 
 from __future__ import annotations
 

@@ -46,7 +46,7 @@ class FailedScene:
 
 
 class Background:
-    """A generator of scenes in up to ``count`` processes at a time, in a temporary folder.
+    """A generator of scenes in up to ``count`` processes, which write to a temporary folder.
 
     ``rest`` is the pause in seconds after a failure, doubled for each consecutive failure; scenes
     that take longer than ``timeout`` seconds are cancelled.
@@ -106,7 +106,7 @@ class Background:
             self._start(self._waiting.popleft())
 
     def next_end(self) -> MadeScene | FailedScene:
-        """Return the result of the earliest pending order, once it is complete."""
+        """Wait for the earliest pending order, and return its result."""
         self.hand_out()
         future = next(iter(self._pending))
         wait([future])

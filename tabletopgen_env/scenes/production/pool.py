@@ -97,7 +97,7 @@ class ScenePool:
     # ---------------------------------------------------------------------------------- renewing
 
     def _keep_step(self, background: Background, due: bool) -> None:
-        """Add the next due scene in the order of requests, and keep the workers busy.
+        """Add the next requested scene if one is due, and queue requests for idle workers.
 
         The sequence of scenes is thus independent of the speed of the processes; a draw waits for a
         scene that is due but not complete.
@@ -130,7 +130,7 @@ class ScenePool:
         return self._add(SceneRef(end.recipe.key, Bundle(end.bundle), end.difficulty))
 
     def _add(self, ref: SceneRef) -> None:
-        """Add a new scene, and drop the oldest one."""
+        """Add a new scene, and drop the oldest one if the pool is full."""
         self.refs.append(ref)
         self.renewals += 1
         while len(self.refs) > self._size:

@@ -49,7 +49,7 @@ class SceneRecipe:
 
     @property
     def identity(self) -> str:
-        """The identity of the scene, the same in every process."""
+        """A string that identifies the scene, the same in every process."""
         what = self.what if isinstance(self.what, str) else json.dumps(_facts(self.what))
         making = "fresh" if self.making == COMPOSE else f"fresh by {self.making}"
         return f"{making}:{self.seed}:{what}"
@@ -79,7 +79,7 @@ class SceneRecipe:
         return self.what.plan(np.random.default_rng(self.seed))
 
     def admitted(self) -> bool:
-        """Return whether the rules admit the scene, as far as known before its generation."""
+        """Return whether the rules admit the scene, as far as is known before it is generated."""
         return all(
             rule.admits(lambda: self.identity, self._kinds)
             for rule in self.rules
@@ -111,7 +111,7 @@ class SceneRecipe:
         )
 
     def _check(self, scene: Scene) -> Scene:
-        """Return the scene if the rules admit it; it may differ from the plan."""
+        """Return the generated scene if the rules admit it, since it may differ from the plan."""
         found = scene_kinds(scene)
         for rule in self.rules:
             if rule.by == "category" and not rule.admits(lambda: "", lambda: found):
@@ -120,7 +120,7 @@ class SceneRecipe:
 
 
 def _facts(distribution: SceneDistribution) -> dict[str, Any]:
-    """Return a distribution as JSON values; empty needs are omitted, to keep old keys valid."""
+    """Return a distribution as JSON values, without empty needs, so that old keys stay valid."""
     facts = dataclasses.asdict(distribution)
     return {k: v for k, v in facts.items() if k != "needs" or v}
 
@@ -153,7 +153,7 @@ def maker(making: str) -> Maker:
 
 
 def _generate(what: str | ScenePlan, seed: int) -> Scene:
-    """Generate a scene that passes its gate."""
+    """Generate a scene, and check that it passed the physical gate."""
     from generator.pipeline import generate
 
     scene = generate(what, seed=seed).scene

@@ -75,7 +75,7 @@ class PictureShelf:
                         remove_file(self.folder, path.name)
 
     def read_shown(self, name: str) -> bytes:
-        """Return a picture as PNG, upright and at its working size.
+        """Return a picture as PNG, upright and reduced to the size used for processing.
 
         Raises:
             RefusedError: no picture has this id.

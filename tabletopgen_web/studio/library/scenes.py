@@ -75,7 +75,7 @@ class SceneLibrary:
         return picture
 
     def view_file(self, scene: str, name: str) -> Path:
-        """Return a file of a scene prepared for the viewer, preparing the scene on first use.
+        """Return the path of a scene's file for the viewer, preparing the scene on first use.
 
         Raises:
             RefusedError: the scene or file does not exist.
@@ -122,7 +122,7 @@ class SceneLibrary:
         remove_tree(self._folder.views, scene)
 
     def history(self, scene: str) -> tuple[list[EditRow], list[str]]:
-        """Return the steps up to and including a scene, and the scenes edited from it.
+        """Return the editing steps that end with a scene, and the scenes that were edited from it.
 
         The scenes edited from it are sorted: the workspace's first, from new to old.
 
@@ -144,7 +144,7 @@ class SceneLibrary:
         return steps, children
 
     def sweep(self) -> None:
-        """Remove scenes that another version prepared for the viewer; errors are ignored."""
+        """Remove viewer files that another version of the package prepared; errors are ignored."""
         views = self._folder.views
         maker = f"{versions(('tabletopgen',))['tabletopgen']}, schema {SCHEMA}".encode()
         with contextlib.suppress(StorageError):

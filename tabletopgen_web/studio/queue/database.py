@@ -77,7 +77,7 @@ def _check_schema(database: sqlite3.Connection, path: Path) -> None:
 
 @contextlib.contextmanager
 def transaction(database: sqlite3.Connection) -> Iterator[None]:
-    """Execute the block as one transaction: all of its changes, or none."""
+    """Execute the block as one transaction, which applies all of its changes or none."""
     database.execute("BEGIN IMMEDIATE")
     try:
         yield

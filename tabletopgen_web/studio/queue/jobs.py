@@ -203,7 +203,7 @@ class JobStore(JobHistory):
             )
 
     def _keep_reserve(self) -> None:
-        """Reserve space on the disk to record results when it is full."""
+        """Reserve disk space, so that results can be recorded even if the disk is full."""
         with contextlib.suppress(OSError):
             if not self._reserve.exists():
                 try:

@@ -37,7 +37,7 @@ _AFTER = 5.0  # seconds that pipes may stay open after the process has ended
 
 @dataclass(frozen=True)
 class JobEnding:
-    """The end of a process: its ``code`` as in ``subprocess``, and ``late`` after a timeout."""
+    """The end of a process: a return ``code``, as in ``subprocess``, and ``late`` on a timeout."""
 
     code: int
     late: bool = False
@@ -54,7 +54,7 @@ class JobEnding:
 
 
 class JobProcess:
-    """Runs one job and forwards its messages.
+    """A process that runs one job and forwards the job's messages.
 
     Args:
         order: the order for the process.
@@ -176,12 +176,12 @@ class JobProcess:
 
 
 def _secrets() -> list[str]:
-    """Return the values of environment variables whose names suggest keys."""
+    """Return the values of environment variables whose names suggest that they are secret."""
     marks = ("KEY", "SECRET", "TOKEN", "PASSWORD")
     return [v for k, v in os.environ.items() if any(m in k.upper() for m in marks) and len(v) > 7]
 
 
 def _kill(process: asyncio.subprocess.Process) -> None:
-    """Kill the session of a process."""
+    """Kill a process and the other processes in its session."""
     with contextlib.suppress(ProcessLookupError, PermissionError):
         os.killpg(process.pid, signal.SIGKILL)

@@ -110,7 +110,7 @@ class Runner:
             self._finish(job.id, "failed", latest.get("error") or ending.describe(), result)
 
     def _hear(self, job: str, message: Mapping[str, Any], latest: dict[str, Any]) -> None:
-        """Record a message from the process; ``latest`` keeps the last one."""
+        """Record a message from the process; keep the last result or error in ``latest``."""
         kind = message.get("type")
         if kind == "stage":
             stage = StageRow(message["name"], message["number"], message["total"])
@@ -131,7 +131,7 @@ class Runner:
         self._save_endings()
 
     def _save_endings(self) -> None:
-        """Record the results of jobs; after disk errors, try again before the next job."""
+        """Record results that could not be saved before; after disk errors, keep them for later."""
         for job, (state, error, result) in list(self._unsaved.items()):
             with contextlib.suppress(StorageError):
                 self._store.finish(job, state, error, result)

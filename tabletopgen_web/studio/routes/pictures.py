@@ -27,7 +27,7 @@ async def add_picture(request: Request) -> Response:
 
 
 async def get_picture(request: Request) -> Response:
-    """Return a picture at its working size, as PNG."""
+    """Return a picture as PNG, upright and reduced to the size used for processing."""
     shelf = services_of(request).pictures
     return answer_picture(await asyncio.to_thread(shelf.read_shown, request.path_params["picture"]))
 

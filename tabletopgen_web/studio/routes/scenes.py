@@ -41,7 +41,7 @@ async def save_scene(request: Request) -> Response:
 
 
 async def get_history(request: Request) -> Response:
-    """Return the steps that led to a scene, and the scenes edited from it."""
+    """Return the editing steps that led to a scene, and the scenes that were edited from it."""
     scene = request.path_params["scene"]
     steps, later = await asyncio.to_thread(services_of(request).scenes.history, scene)
     return answer({"scene": scene, "steps": steps, "later": later})

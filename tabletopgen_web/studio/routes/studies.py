@@ -16,7 +16,7 @@ from .responses import answer
 
 
 async def show_study(request: Request) -> Response:
-    """Return the page of a study, with a policy that allows only its own code."""
+    """Return the page of a study, with a security policy that allows only the page's code."""
     page = services_of(request).studies.get(request.path_params["study"])
     if page is None:
         raise RefusedError(404, "This study is not served; pass its file with --study.")

@@ -1,4 +1,4 @@
-"""Cancellation of requests when their client leaves or the studio ends."""
+"""Cancellation of requests when their client disconnects or the studio shuts down."""
 
 from __future__ import annotations
 
@@ -59,7 +59,7 @@ async def _disconnect(request: Request) -> None:
 
 
 class EndingRequests:
-    """A wrapper of the application; requests that outlast the studio get an error response."""
+    """A wrapper of the application that ends requests with an error if the studio shuts down."""
 
     def __init__(self, app: ASGIApp, changes: Changes) -> None:
         self._app, self._changes = app, changes
@@ -96,7 +96,7 @@ class EndingRequests:
 
 
 class StudioThreads(ThreadPoolExecutor):
-    """The threads of requests. The studio does not wait for those still running at its end."""
+    """The threads of requests. The studio does not wait for them when it shuts down."""
 
     def shutdown(self, wait: bool = True, *, cancel_futures: bool = False) -> None:
         """Reject new work."""

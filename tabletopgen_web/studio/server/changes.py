@@ -6,7 +6,7 @@ import asyncio
 
 
 class Changes:
-    """Lets many tasks in one event loop wait for the next change, until the studio ends.
+    """A notifier that wakes the waiting tasks of one event loop at each change and at shutdown.
 
     Attributes:
         closed: whether the studio has ended; waiters then stop.
@@ -17,7 +17,7 @@ class Changes:
         self._next = asyncio.Event()
 
     def close(self) -> None:
-        """Signal the end of the studio."""
+        """Signal that the studio is shutting down."""
         self.closed = True
         self.notify()
 
@@ -31,6 +31,6 @@ class Changes:
         return self._next
 
     async def wait_closed(self) -> None:
-        """Wait until the studio ends."""
+        """Wait until the studio shuts down."""
         while not self.closed:
             await self.next().wait()

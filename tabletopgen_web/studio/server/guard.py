@@ -81,7 +81,7 @@ class Access:
 
     @property
     def ticket_link(self) -> str:
-        """The address for the browser's command line."""
+        """The address to pass on the browser's command line, with a ticket that is valid once."""
         return f"{self.address}?ticket={self.ticket}"
 
     @property
@@ -111,7 +111,7 @@ class Access:
         return _is_loopback(self.host)
 
     def knows(self, token: str, study: str | None = None) -> bool:
-        """Return whether a token is the studio's, or that of a study's raters."""
+        """Return whether a token is valid for the studio, or for the raters of a given study."""
         known = self.token if study is None else self.studies[study]
         return secrets.compare_digest(token.encode("utf-8", "replace"), known.encode())
 
@@ -158,7 +158,7 @@ class StudioGuard:
         await (self._app if answer is None else answer)(scope, receive, send_guarded)
 
     def _refuse(self, scope: Scope) -> Response | None:
-        """Return the response to a request that is not forwarded."""
+        """Return the response to a request that is refused or redirected, or None to forward it."""
         headers = Headers(scope=scope)
         hosts = headers.getlist("host")
         if len(hosts) != 1 or not self._access.is_own(hosts[0]):
@@ -203,7 +203,7 @@ class StudioGuard:
         return answer
 
     def _open_once(self, given: list[str], headers: Headers) -> Response:
-        """Exchange the ticket in an address for a cookie, once."""
+        """Exchange the ticket in an address, which is valid only once, for a cookie."""
         ticket = (self._ticket or "").encode()
         if ticket and secrets.compare_digest(given[0].encode("utf-8", "replace"), ticket):
             self._ticket = None
@@ -229,7 +229,7 @@ def _no(message: str) -> Response:
 
 
 def _show(message: str, title: str = "TabletopGen studio") -> Response:
-    """Return an error page for people, or JSON for programs."""
+    """Return an HTML error page with a title and a message."""
     return HTMLResponse(
         f"<!doctype html><html lang=en><title>{title}</title><h1>{title}</h1>"
         f"<p>{html.escape(message)}</p></html>", status_code=403)  # fmt: skip

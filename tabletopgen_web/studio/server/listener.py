@@ -46,7 +46,7 @@ def bind(host: str, port: int) -> Iterator[socket.socket]:
 
 
 class HastyProtocol(H11Protocol):
-    """A protocol that closes connections without a timely head, since their number is limited."""
+    """A protocol that frees connections on which no complete request head arrives in time."""
 
     def connection_made(self, transport: asyncio.Transport) -> None:
         """Start waiting for a request."""
@@ -55,7 +55,7 @@ class HastyProtocol(H11Protocol):
         self._wait()
 
     def data_received(self, data: bytes) -> None:
-        """Process received data; keep waiting for a complete head."""
+        """Process received data; wait until the head of a request is complete."""
         super().data_received(data)
         cycle = cast("RequestResponseCycle | None", self.cycle)
         if cycle is not None and not cycle.response_complete:
@@ -78,7 +78,7 @@ class HastyProtocol(H11Protocol):
 
 
 class _Server(uvicorn.Server):
-    """A server that informs the application of its end at once, before all responses are sent."""
+    """A server that notifies the application of a shutdown before all responses are sent."""
 
     def __init__(self, config: uvicorn.Config, stop: Callable[[], None]) -> None:
         super().__init__(config)

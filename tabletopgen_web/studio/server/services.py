@@ -1,4 +1,4 @@
-"""Shared parts of the endpoints."""
+"""Components of the studio that its endpoints share."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ _MAX_CLIENTS = 64  # maximum number of event listeners
 
 @dataclass(eq=False)
 class StudioServices:
-    """The parts of a running studio.
+    """The components of a running studio, which its endpoints share.
 
     Attributes:
         files: the files of the page by URL path.
@@ -69,7 +69,7 @@ class StudioServices:
         self._remove_files(kept - {job.id for job in jobs})
 
     def make_order(self, job: JobRow) -> Mapping[str, Any]:
-        """Return the order for the process of a job.
+        """Return the JSON values of the ``JobOrder`` for a job's process.
 
         Raises:
             TabletopError: the job's input scene or picture no longer exists.
@@ -129,5 +129,5 @@ class StudioServices:
 
 
 def services_of(request: Request) -> StudioServices:
-    """Return the parts of the studio for a request."""
+    """Return the studio's shared components, given a request."""
     return request.app.state.services

@@ -12,7 +12,7 @@ from .scenes import open_session, run_edit, run_generate
 
 
 def estimate(order: JobOrder, telling: Telling) -> dict[str, Any]:
-    """Return the backend of each role, and a line for each of the first calls."""
+    """Return the backend of each role, and a line for each of the first calls to servers."""
     spec = read_spec(order.request)
     if not isinstance(spec, GenerateSpec | EditSpec) or not spec.paid.mix.given:
         return {"roles": [], "calls": [], "asks_servers": False}

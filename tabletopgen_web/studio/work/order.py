@@ -1,4 +1,4 @@
-"""The order for the process of a job, and its progress messages."""
+"""The order that a job's process receives, and the progress messages that it sends."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ _STEM = re.compile(r"[a-z0-9_]{1,64}")
 
 @dataclass(frozen=True)
 class JobOrder:
-    """One line of JSON from the server.
+    """The description of a job that its process receives from the server as one line of JSON.
 
     Attributes:
         kind: the kind of the job, or "estimate".
@@ -84,7 +84,7 @@ class Telling:
         self.say(type="stage", name=name, number=number, total=total)
 
     def show(self, stage: str, pictures: Mapping[str, np.ndarray | bytes]) -> None:
-        """Write a stage's pictures atomically, named by stem, and report each one.
+        """Atomically write the pictures of a stage, keyed by file stem, and report each one.
 
         Raises:
             StorageError: the folder is not writable.

@@ -112,7 +112,7 @@ _print = partial(print, flush=True)  # to the log of the job
 
 
 def _spend(session: Session, path: Path) -> dict[str, Any]:
-    """Write the ledger beside a bundle; return the cost of calls, if there were any."""
+    """Write the ledger of calls beside a bundle; return their cost, if there were any calls."""
     from generator.backends.paid_run import save_ledger
 
     save_ledger(session, path)

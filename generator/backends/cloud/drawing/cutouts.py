@@ -51,12 +51,12 @@ class Cutout:
 
     @property
     def keep(self) -> UInt8[np.ndarray, "s s 4"]:
-        """An edit's mask: opaque where the picture is kept, and transparent where it is redrawn."""
+        """The cut-out as RGBA, opaque where it is kept and transparent where it is redrawn."""
         return np.dstack([self.picture, np.where(erode(self.seen, 5), 255, 0).astype(np.uint8)])
 
 
 def cut(reference: Reference, detection: Detection, others: tuple[Detection, ...]) -> Cutout:
-    """Return the cut-out of a detection."""
+    """Return a square cut-out of a detected object on a uniform background."""
     x0, y0, x1, y1 = detection.box
     half = _ROOM * max(x1 - x0, y1 - y0) / 2
     middle = np.array([x0 + x1, y0 + y1]) / 2
@@ -82,7 +82,7 @@ def cut(reference: Reference, detection: Detection, others: tuple[Detection, ...
 
 
 def _ground(colors: UInt8[np.ndarray, "n 3"]) -> str:
-    """Return the background colour that is farthest from nearly all of an object's colours."""
+    """Return the background colour that differs most from nearly all of an object's colours."""
 
     def off(name: str) -> float:
         return float(np.percentile(apart(colors, _GROUNDS[name]), 3)) if len(colors) else 0.0
@@ -166,7 +166,7 @@ def _best(
 
 
 def _worth(cutout: Cutout, side: int) -> tuple[Mask, Float[np.ndarray, "s s"]]:
-    """Return the visible region, and the gain for covering a pixel (1 in it, -1 or 0 outside)."""
+    """Return the visible region, and the gain per covered pixel: 1 inside, 0 or -1 outside."""
     seen = _small(cutout.seen, side)
     return seen, np.where(seen, 1.0, np.where(_small(cutout.unknown, side), 0.0, -1.0))
 
@@ -189,7 +189,7 @@ def _place(
 
 
 def _clean(picture: RGBA, mask: Mask) -> RGBA:
-    """Return a crop with a soft edge, whose outer pixels have the object's colours."""
+    """Return a masked crop with a soft edge, extending the object's colours beyond the mask."""
     core = cv2.erode(mask.astype(np.uint8), np.ones((5, 5), np.uint8), borderValue=0) > 0
     core = core if core.sum() > 9 else mask
     colors = picture[..., :3][nearest_inside(core)]

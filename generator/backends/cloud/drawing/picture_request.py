@@ -1,4 +1,4 @@
-"""Requests to image models, in the two forms that servers support.
+"""Requests to image models, in the two API formats that servers support.
 
 "openai": images/generations draws, and images/edits edits the pictures, which it receives with a
 mask in a multipart form; the answer is base64. "seedream": images/generations does both, with the
@@ -70,7 +70,7 @@ class Tolerated:
 
 @dataclass(frozen=True)
 class Painter:
-    """An image model, the form of its requests, and the options that its server rejects."""
+    """An image model, the format of its requests, and the options that its server rejects."""
 
     server: Server
     form: Form
@@ -255,7 +255,7 @@ def _editing(model: str, keep: UInt8[np.ndarray, "h w 4"] | None, clear: bool) -
 
 
 def _meaning(text: str, options: Mapping[str, Any], pictures: Sequence[bytes]) -> str:
-    """Return a digest of what is drawn, independent of the options that the server supports."""
+    """Return a digest of a request's text, pictures and options, including unsupported options."""
     files = [*pictures, *(value[1] for value in options.values() if isinstance(value, tuple))]
     words = {name: value for name, value in options.items() if not isinstance(value, tuple)}
     digests = [hashlib.sha256(file).hexdigest() for file in files]

@@ -1,1 +1,1 @@
-"""The stages' questions to a chat model."""
+"""Questions to a chat model in the generation stages: their prompts, answers and checks."""

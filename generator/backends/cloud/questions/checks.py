@@ -106,7 +106,7 @@ def six_sides(mesh: Mesh) -> UInt8[np.ndarray, "h w 3"]:
 
 
 def turns(answer: OrientationAnswer) -> tuple[tuple[str, int], ...]:
-    """Return the rotations that turn ``up`` upwards and then ``along`` to the x axis.
+    """Return the rotations that turn the axis ``up`` upwards and then the axis ``along`` to x.
 
     Raises:
         Wrong: both directions are on one axis.

@@ -23,7 +23,7 @@ GRID = 1000
 
 
 class Numbered(Protocol):
-    """An answer about one object."""
+    """An answer about one object, identified by its number."""
 
     @property
     def id(self) -> int:
@@ -36,7 +36,7 @@ N = TypeVar("N", bound=Numbered)
 
 @dataclass(frozen=True, eq=False)
 class Labelled:
-    """The instances of a picture by number."""
+    """The instances in a picture, numbered for questions to a chat model."""
 
     image: UInt8[np.ndarray, "h w 3"]
     by_number: Mapping[int, Instance]
@@ -45,7 +45,7 @@ class Labelled:
     def of(
         cls, image: UInt8[np.ndarray, "h w 3"], instances: Sequence[Instance], *, table: bool = True
     ) -> Labelled:
-        """Number instances; ``table=False`` omits the table."""
+        """Number the objects from 1 and the table 0; ``table=False`` omits the table."""
         tables = [i for i in instances if i.name == TABLE and table]
         things = [i for i in instances if i.name != TABLE]
         numbered = {0: tables[0]} if tables else {}
@@ -53,7 +53,7 @@ class Labelled:
 
     @property
     def numbers(self) -> Mapping[str, int]:
-        """The number of each name."""
+        """The number of each instance, by name."""
         return {i.name: number for number, i in self.by_number.items()}
 
     def picture(self) -> UInt8[np.ndarray, "h w 3"]:
@@ -76,7 +76,7 @@ class Labelled:
         return self.image, self.picture()
 
     def listing(self, facts: Callable[[Instance], str] | None = None) -> str:
-        """Return a line per object: its number, label, ``facts`` if any, and box on the grid."""
+        """Return one line per object, with its number, label, ``facts`` if given, and grid box."""
         lines = []
         for number, instance in self.by_number.items():
             note = f"; {facts(instance)}" if facts else ""
@@ -85,7 +85,7 @@ class Labelled:
         return "\n".join(lines)
 
     def names(self) -> str:
-        """Return a line with the number and the label of each object except the table."""
+        """Return one line per object except the table, with its number and label."""
         return "\n".join(f"{n}: {i.label}" for n, i in self.by_number.items() if n)
 
     @property
@@ -94,13 +94,13 @@ class Labelled:
         return sum(number > 0 for number in self.by_number)
 
     def on_grid(self, box: Float[np.ndarray, "4"]) -> tuple[int, ...]:
-        """Return a pixel box in grid coordinates."""
+        """Return a pixel box in the integer grid coordinates that prompts use."""
         height, width = self.image.shape[:2]
         shares = np.asarray(box) / [width, height, width, height]
         return tuple(int(v) for v in np.clip(np.round(shares * GRID), 0, GRID))
 
     def match(self, answers: Sequence[N], without: Sequence[int] = ()) -> dict[str, N]:
-        """Return the answers by name.
+        """Return a chat model's answers by object name, after checking their numbers.
 
         Raises:
             Wrong: a number that is not in ``without`` does not have exactly one answer.

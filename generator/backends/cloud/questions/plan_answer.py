@@ -43,7 +43,7 @@ def checked_text(text: object) -> str:
 
 
 def to_plan(prompt: str, answer: PlanAnswer) -> ScenePlan:
-    """Return the plan of an answer, in the form that the embedded planner would return.
+    """Convert a chat model's answer to a plan in the same form as the embedded planner's.
 
     Carriers are enlarged for their contents, impossible relations are dropped, and warnings list
     the stand-ins for objects that the catalogue lacks.
@@ -70,7 +70,7 @@ def to_plan(prompt: str, answer: PlanAnswer) -> ScenePlan:
 
 
 def _names(answer: PlanAnswer) -> dict[int, str]:
-    """Return the name of each number, such as "mug_1" for the first mug."""
+    """Return the name for each object number, such as "mug_1" for the first mug."""
     names: dict[int, str] = {}
     stems: list[str] = []
     for thing in answer.things:
@@ -167,7 +167,7 @@ def _groups(answer: PlanAnswer, names: dict[int, str]) -> Iterable[PlannedGroup]
 
 
 def _check_group(group: GroupAnswer, where: str, laid: set[int], answer: PlanAnswer) -> None:
-    """Raise Wrong if a group does not fit its kind; ``laid`` contains the seats already used."""
+    """Raise Wrong if a group's fields do not match its kind; ``laid`` collects the used seats."""
     if group.around is not None and group.kind != "circle":
         raise Wrong(f"{where} cannot have 'around'; only a circle can.")
     if (group.seat is not None) != (group.kind == "setting"):

@@ -30,7 +30,7 @@ def kinds(answer: KindsAnswer) -> tuple[str, ...]:
 
 
 def fixed_sizes(reference: Reference, instances: Instances) -> dict[str, np.ndarray]:
-    """Return the sizes in metres given in the prompt, unless they differ among similar objects."""
+    """Return sizes from the prompt, in metres, unless they differ among objects of one kind."""
     found: dict[str, np.ndarray] = {}
     if reference.plan is None:
         return found
@@ -78,7 +78,7 @@ def _layer(name: str, supports: Mapping[str, tuple[str, bool]]) -> int:
 def layout(
     answer: PlacesAnswer, shown: Labelled, length: float, width: float
 ) -> dict[str, LayoutBox]:
-    """Return positions and sizes in metres on a tabletop of the given size in centimetres."""
+    """Return the objects' positions and sizes in metres; the tabletop's size is in centimetres."""
     by_name = shown.match(answer.places, without=(0,))
     beyond = [a.id for a in by_name.values() if abs(a.x) > length / 2 or abs(a.y) > width / 2]
     if beyond:

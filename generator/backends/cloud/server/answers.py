@@ -1,4 +1,4 @@
-"""Pydantic models of the questions' answers; field names include units."""
+"""Pydantic models of the answers to the questions; field names include units."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ class ModelAnswer(BaseModel):
 
 
 class RelationAnswer(ModelAnswer):
-    """A relation to a ``target``: an object's number, or 0 for the table."""
+    """A relation to a ``target``, which is the number of an object, or 0 for the table."""
 
     kind: RelationKind
     target: Id
@@ -72,7 +72,7 @@ class SeatAnswer(ModelAnswer):
 
 
 class GroupAnswer(ModelAnswer):
-    """An ordered group; a "setting" has a ``seat``, and a "circle" may have ``around``."""
+    """An ordered group; only "setting" has a ``seat``, and only "circle" may have ``around``."""
 
     kind: GroupKind
     things: Annotated[list[PlannedId], Field(min_length=1, max_length=MOST_PLANNED)]
@@ -142,7 +142,7 @@ class SizesAnswer(ModelAnswer):
 
 
 class OrientationAnswer(ModelAnswer):
-    """The answer to ``review_orientation``: axes of the model."""
+    """The answer to ``review_orientation``: the model's vertical axis and lengthwise axis."""
 
     up: Axis
     along: Axis
@@ -164,7 +164,7 @@ class RestsAnswer(ModelAnswer):
 
 
 class MarkAnswer(ModelAnswer):
-    """The rating of one criterion."""
+    """The rating for one criterion."""
 
     criterion: Word
     why: Annotated[str, Field(max_length=4000)]
@@ -178,7 +178,7 @@ class MarksAnswer(ModelAnswer):
 
 
 class OrderAnswer(ModelAnswer):
-    """The answer to ``rank``: letters, from best to worst."""
+    """The answer to ``rank``: the letters of the methods, from best to worst."""
 
     order: Annotated[list[Word], Field(max_length=MOST_ANSWERED)]
 

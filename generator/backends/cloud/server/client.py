@@ -48,7 +48,7 @@ class Server:
         meant: str,
         memo: str = "yes",
     ) -> dict[str, Any]:
-        """Return the JSON of the answer to a request.
+        """Send a request and return the JSON of the answer.
 
         ``question`` names the call in errors and in the ledger. ``request`` makes the call, given
         the client and additional headers, and returns the raw response, which ``used`` records. Two

@@ -60,12 +60,12 @@ _STORES = {
 
 
 def chat_base_url() -> str:
-    """Return the chat server set in the environment."""
+    """Return the chat server's base URL from the environment, or else OpenAI's."""
     return os.environ.get("TABLETOPGEN_CLOUD_BASE_URL") or OPENAI
 
 
 def image_base_url() -> str:
-    """Return the image server set in the environment."""
+    """Return the image server's base URL from the environment, or else the chat server's."""
     return os.environ.get("TABLETOPGEN_CLOUD_IMAGE_BASE_URL") or chat_base_url()
 
 
@@ -148,7 +148,7 @@ def keys(url: str, purpose: Purpose) -> tuple[str, ...]:
 
 
 def key_variables(url: str, purpose: Purpose) -> tuple[str, ...]:
-    """Return the variables that may contain a server's key; the first one that is set is used.
+    """Return the environment variables that may contain a server's key; the first set one is used.
 
     A provider's own key is sent only to that provider's hosts, and the chat server's key to no
     other host.
@@ -162,7 +162,7 @@ def key_variables(url: str, purpose: Purpose) -> tuple[str, ...]:
 
 
 def own_headers(url: str) -> tuple[str, ...]:
-    """Return the headers that are only for OpenAI (``OPENAI_ORG_ID``, ``OPENAI_PROJECT_ID``)."""
+    """Return the names of headers sent only to OpenAI, or none if ``url`` is another server's."""
     return ("openai-organization", "openai-project") if host(url) == host(OPENAI) else ()
 
 

@@ -1,4 +1,4 @@
-"""Extraction and, if needed, repair of bare, fenced or embedded JSON in a chat model's text."""
+"""Extraction of JSON (bare, fenced or embedded) from a chat model's text, repaired if needed."""
 
 from __future__ import annotations
 
@@ -68,7 +68,7 @@ def _pieces(text: str) -> Iterator[str]:
 
 
 def _end(text: str, start: int) -> int:
-    """Return the end of the object at ``start``, ignoring braces in strings, or else of the text.
+    """Return the end of the JSON object at ``start``, or the text's end if it is not closed.
 
     An apostrophe does not open a string, because JSON strings use double quotes.
     """
@@ -95,7 +95,7 @@ def _object(text: str) -> dict[str, Any] | None:
 
 
 def _without_thoughts(text: str) -> str:
-    """Return a text without marked reasoning, from each start mark to the next end mark."""
+    """Remove marked reasoning from a text, from each start mark to the next end mark."""
     kept, at = [], 0
     while (begin := _THOUGHT.search(text, at)) and (end := _THOUGHT_END.search(text, begin.end())):
         kept.append(text[at : begin.start()])
@@ -130,7 +130,7 @@ def _outside_strings(text: str, pattern: str, by: str) -> str:
 
 
 def _closing(text: str) -> str:
-    """Return the quote and brackets missing at the end of a truncated text."""
+    """Return the quote and brackets missing at the end of a truncated JSON text."""
     strings = re.compile(_STRING, re.DOTALL)
     missing = '"' * any(_is_open(found) for found in strings.findall(text))
     bare = strings.sub("", text)

@@ -48,7 +48,7 @@ Picture = UInt8[np.ndarray, "_ _ 3"]
 
 @dataclass
 class Manners:
-    """Request options that a server has accepted: the form of answers, and a seed."""
+    """Request features that a server accepts: an answer format, and whether it accepts a seed."""
 
     form: int = 0
     seed: bool = True
@@ -56,7 +56,7 @@ class Manners:
     lock: threading.Lock = field(default_factory=threading.Lock, repr=False)
 
     def gentler(self, form: int, seed: bool, said: str) -> tuple[int, bool] | None:
-        """Return the next form and seed to try after a rejection, or None if nothing is left."""
+        """Return the answer format and seed option to try next, or None if none are left."""
         if seed and "seed" in said.lower():
             return form, False
         if form + 1 < len(_FORMS):
@@ -85,7 +85,7 @@ class Chat:
         answer: type[A],
         accept: Callable[[A], T],
     ) -> T:
-        """Return the result of ``accept`` for the answer to a question about pictures.
+        """Ask a question about pictures and return the result of ``accept`` for the answer.
 
         ``question`` names the call in errors and in the ledger. The schema of ``answer`` is
         appended to ``text``, and the pictures follow in their order. ``Wrong`` and ``InputError``
@@ -230,7 +230,7 @@ def _picture_part(picture: Picture) -> dict[str, Any]:
 
 
 def _faults(error: ValidationError) -> str:
-    """Return the faults at up to six places of an answer, without quoting its values."""
+    """Describe up to six validation errors of an answer, without quoting its values."""
     found = [
         f"{'.'.join(str(part) for part in fault['loc']) or 'the answer'}: {fault['msg']}"
         for fault in error.errors(include_url=False, include_context=False, include_input=False)

@@ -40,7 +40,7 @@ class ObservedSolid:
 
     @property
     def tapers(self) -> bool:
-        """Whether the object's top is clearly shorter than its base, so the back may be hidden."""
+        """Whether the object tapers clearly towards its top, so that its back may be hidden."""
         high = self.points[:, 2] > self.top - 0.2 * (self.top - self.bottom)
         along = self._own()[:, 0]
         if high.sum() < _FEW:
@@ -49,7 +49,7 @@ class ObservedSolid:
 
     @property
     def inner(self) -> float:
-        """The height of the object's middle, which for a container is the height of its inside."""
+        """The height at the object's centre, seen from above; in a container, that of its floor."""
         middle = self._within(0.3)
         heights = self.points[middle, 2] if middle.any() else self.points[:, 2]
         return float(np.percentile(heights, 20))
@@ -172,7 +172,7 @@ def _deepen(
 
 
 def holds(below: ObservedSolid, thing: ObservedSolid) -> float:
-    """Return the fraction of ``thing`` that is over ``below``, or 0 if their heights do not fit."""
+    """Return the fraction of ``thing`` above ``below``, or 0 if its height rules out support."""
     rise = max(below.top - below.bottom, 0.01)
     if thing.bottom < below.bottom + (0.3 if below.hollow else 0.6) * rise - 0.005:
         return 0.0

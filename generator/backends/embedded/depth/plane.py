@@ -115,7 +115,7 @@ def _solve(
 
 
 def level_camera(level: Level, intrinsics: Intrinsics, width: int, height: int) -> Camera:
-    """Return the camera in the plane's frame: origin below it, y along its view, and z up."""
+    """Return the camera in the plane's frame (origin below it, y along its view, z upwards)."""
     up = np.array(level.normal)
     ahead = np.array([0.0, 0.0, 1.0]) - up[2] * up
     # for a view from straight above, y points to the picture's top

@@ -49,7 +49,7 @@ _CELL, _LAYER = 0.05, 0.02  # metres; side and height of the cells in which area
 def heights_above(
     depth: Float[np.ndarray, "h w"], plane: TablePlane
 ) -> tuple[Float[np.ndarray, "h w"], Mask, Mask]:
-    """Return heights above the tabletop (in metres, or NaN), and the raised and level pixels.
+    """Return heights above the tabletop (in metres, or NaN), and masks of raised and level pixels.
 
     Raised pixels belong to objects that rise above the table; level pixels are at its height,
     within this depth map's accuracy. Both masks are limited to the tabletop's outline.
@@ -91,7 +91,7 @@ def _pieces(mask: Mask, minimum: int) -> list[Mask]:
 
 
 def _part(region: Mask, height: Float[np.ndarray, "h w"], minimum: int) -> list[Mask]:
-    """Split a region into the parts that rise above a threshold; other pixels join the nearest."""
+    """Split a region into the parts above a height threshold; other pixels join the nearest one."""
     tall = float(np.percentile(height[region], 98))
     for share in _WATERLINES:
         islands = _pieces(region & (height > share * tall), minimum)
@@ -183,12 +183,12 @@ def _rejoin(
 
 
 def _carries(below: ObservedSolid, upper: ObservedSolid) -> bool:
-    """Return whether an object may stand on another, which must not be merely a front panel."""
+    """Return whether ``upper`` may stand on ``below``, which must not be merely a front panel."""
     return holds(below, upper) > _HELD and below.extent[1] > _BROAD * upper.extent[1]
 
 
 def _one_side(one: Detection, other: Detection, points: Float[np.ndarray, "h w 3"]) -> bool:
-    """Return whether two detections are on one flat side at the seam, like a box and its print."""
+    """Return whether two detections meet on one flat surface, like a box and the print on it."""
     a, b = np.asarray(one.mask), np.asarray(other.mask)
     side = 2 * round(_BAND * max(a.shape)) + 1
     known = np.isfinite(points).all(-1)
@@ -225,7 +225,7 @@ def _grow(
     depth: Float[np.ndarray, "h w"],
     plane: TablePlane,
 ) -> list[Detection]:
-    """Return the detections, extending hovering ones into regions that touch no other detection."""
+    """Return the detections; those that hover are extended into regions that touch no other."""
     taken = [np.asarray(t.mask) for t in things]
     grown = list(things)
     for region in regions:

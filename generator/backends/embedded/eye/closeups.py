@@ -23,7 +23,7 @@ _LEAST = 12.0  # minimum size of a close-up in pixels of the picture
 
 @dataclass(frozen=True, eq=False)
 class Closeup:
-    """A close-up of one object. ``visible`` is in [0, 1]; ``hints`` are from ``network.hints``."""
+    """A close-up of one object, its ``visible`` mask in [0, 1], and its ``network.hints``."""
 
     image: UInt8[np.ndarray, "s s 3"]
     visible: Float[np.ndarray, "c c"]
@@ -54,7 +54,7 @@ def closeup(
 
 
 def impressions(eye: Eye, looks: Sequence[Closeup]) -> Float[Tensor, "2 n f"]:
-    """Return the features of the original and the mirrored close-ups."""
+    """Return the naming network's features of the original and of the mirrored close-ups."""
     pictures = tensor(*[look.image for look in looks])
     visible = torch.from_numpy(np.stack([look.visible for look in looks]))
     clues = torch.tensor([look.hints for look in looks])

@@ -1,4 +1,4 @@
-"""Decoding of the network's cells into object confidences and masks."""
+"""Decoding of the detector's output cells into object confidences and masks."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ def tensor(*images: UInt8[np.ndarray, "h w 3"]) -> Tensor:
 def ask(
     eye: Eye, maps: Maps, seen: tuple[int, ...], owner: int = 0, maximum: int = _MOST
 ) -> Detections:
-    """Decode up to ``maximum`` cells of crop ``owner``, those with the highest confidence."""
+    """Decode the most confident cells of crop ``owner``, at most ``maximum``, into detections."""
     heat = maps.heat[owner : owner + 1].sigmoid()
     peaks = heat * (functional.max_pool2d(heat, 3, 1, 1) == heat)
     peaks[..., -(-seen[0] // STRIDE) :, :] = 0
@@ -54,7 +54,7 @@ def ask(
 
 
 def answers(eye: Eye, maps: Maps, owner: Tensor, cells: Tensor) -> Detections:
-    """Decode cells; the confidence combines the presence of an object and its mask's quality."""
+    """Decode cells; a confidence combines an object's presence with the quality of its mask."""
     box = maps.box[owner, :, cells[:, 1], cells[:, 0]].exp()
     masks = eye.masks(maps, owner, cells, (box[:, :2] + box[:, 2:4]).amax(1)).sigmoid()
     heat = maps.heat[owner, 0, cells[:, 1], cells[:, 0]].sigmoid()
@@ -72,7 +72,7 @@ def overlaps(masks: Tensor) -> Tensor:
 
 
 def apart(score: Tensor, clash: Tensor) -> list[int]:
-    """Return the detections, by confidence, that do not clash with a more confident one."""
+    """Return the indices, by confidence, of detections without a more confident clashing one."""
     kept: list[int] = []
     for k in score.argsort(descending=True).tolist():
         if score[k] > 0 and not clash[k, kept].any():

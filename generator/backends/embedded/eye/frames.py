@@ -71,7 +71,7 @@ class Frame:
     def carry(
         self, mask: Float[np.ndarray, "h w"], factor: float, stride: int, cell: int
     ) -> Float[np.ndarray, "c c"]:
-        """Resample a map to this crop's cells of ``cell`` pixels.
+        """Resample a map to this crop's grid of cells, each ``cell`` pixels wide.
 
         ``mask`` belongs to a picture scaled by ``factor`` relative to this one, in cells of
         ``stride``.
@@ -97,6 +97,6 @@ class Frame:
     def spread(
         self, masks: Float[np.ndarray, "k s s"], size: tuple[int, ...], level: float = 0.5
     ) -> list[Bool[np.ndarray, "h w"]]:
-        """Map the values above ``level`` in maps of the crop to a picture of ``size`` (h, w)."""
+        """Map the crop's pixels with values above ``level`` to a picture of ``size`` (h, w)."""
         back = cv2.invertAffineTransform(self._warp())
         return [cv2.warpAffine(m, back, (size[1], size[0])) > level for m in masks]

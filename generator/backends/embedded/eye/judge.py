@@ -35,7 +35,7 @@ _APART = 0.35  # probability of being two objects, above which both detections o
 
 @dataclass(frozen=True, eq=False)
 class EyeDetection:
-    """A detected object: its confidence after one pass and after both, and full-size masks.
+    """A detected object: its confidences after the first and the second pass, and its masks.
 
     ``whole`` includes hidden parts. ``names`` are probabilities over the catalogue's categories,
     with "unknown" as the last entry.
@@ -50,7 +50,7 @@ class EyeDetection:
 
 @dataclass(frozen=True, eq=False)
 class Clues:
-    """Features of n detections, and of their m overlapping pairs (the larger one first)."""
+    """Features of n detections, and of their m overlapping pairs (the larger detection first)."""
 
     alone: Float[np.ndarray, "n a"]
     pairs: Int[np.ndarray, "m 2"]
@@ -169,7 +169,7 @@ class _Shares:
         return cls(visible, area, np.maximum(whole.sum(1), 1), within, behind, overlap)
 
     def pairs(self) -> Int[np.ndarray, "m 2"]:
-        """Return the pairs of overlapping detections, the larger one first."""
+        """Return the pairs of overlapping detections, each with the larger detection first."""
         i, j = np.nonzero(np.triu(np.maximum(self.within, self.within.T) > _TOUCH, 1))
         swap = self.area[i] < self.area[j]
         return np.column_stack([np.where(swap, j, i), np.where(swap, i, j)])
@@ -178,7 +178,7 @@ class _Shares:
 def _shape(
     detections: Sequence[EyeDetection], shares: _Shares, step: int
 ) -> Float[np.ndarray, "n 5"]:
-    """Return the sizes, aspect ratios, box fills, frame contacts and hidden fractions."""
+    """Return each detection's size, aspect ratio, box fill, frame contact and hidden fraction."""
     masks = [f.visible for f in detections]
     boxes = np.array([mask_box(m) if m.any() else (0, 0, 1, 1) for m in masks], float)
     wide, tall = (boxes[:, 2:] - boxes[:, :2]).T

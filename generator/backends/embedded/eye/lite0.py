@@ -49,7 +49,7 @@ class _Block(nn.Module):
 
 
 class Lite0(nn.Module):
-    """An encoder from (b, 3, h, w) in [0, 1] to strides 4 to 32; h and w are multiples of 32."""
+    """An encoder of (b, 3, h, w) images in [0, 1] as maps of stride 4 to 32; 32 divides h and w."""
 
     def __init__(self) -> None:
         super().__init__()

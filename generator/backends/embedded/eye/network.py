@@ -109,7 +109,7 @@ class Outliner(nn.Module):
         )  # fmt: skip
 
     def forward(self, features: Tensor, images: Tensor, rough: Tensor) -> Tensor:
-        """Return (n, 2h, 2w) logits.
+        """Return (n, 2h, 2w) logits of the refined masks.
 
         Args:
             features: (n, c, h, w) at ``STRIDE``.
@@ -253,7 +253,7 @@ class Eye(nn.Module):
         return self.judge(torch.cat([point, *pooled, inputs], 1))[:, 0]
 
     def names(self, closeups: Tensor, visible: Tensor, hints: Tensor) -> Tensor:
-        """Return the (n, categories) logits of close-ups' names.
+        """Return the (n, categories) logits of the names of the objects in close-ups.
 
         Args:
             closeups: (n, 3, s, s) in [0, 1], with the margin ``CLOSE_ROOM``.
@@ -291,7 +291,7 @@ def _pool(features: Tensor, visible: Tensor) -> Tensor:
 
 
 def _pool_by_picture(features: Tensor, image: Tensor, masks: Tensor) -> Tensor:
-    """Return the mean (n, c) of (b, c, h, w) under masks (n, h, w), each for one picture."""
+    """Return means (n, c) of features (b, c, h, w) under masks (n, h, w), one picture per mask."""
     weight = masks.flatten(1).to(features.dtype)
     weight = weight / weight.sum(1, keepdim=True).clamp(min=1.0)
     pooled = features.new_zeros(len(image), features.shape[1])

@@ -78,6 +78,6 @@ def _length(mask: Bool[np.ndarray, "h w"]) -> float:
 
 
 def _stable(look: Float[np.ndarray, "s s"]) -> bool:
-    """Return whether an outline hardly depends on the threshold."""
+    """Return whether an outline hardly depends on the threshold applied to the mask."""
     wide, narrow = (float((look > c).sum()) for c in _CERTAINTIES)
     return narrow > 12 and narrow / wide >= _STABLE

@@ -52,7 +52,7 @@ class ProportionNetwork(nn.Module):
 
     @torch.inference_mode()
     def tell(self, clues: Float[np.ndarray, "n c"]) -> list[Proportions]:
-        """Return the proportions of objects from their features."""
+        """Return the proportions of objects, with error estimates, from their features."""
         logs, spread = self(torch.from_numpy(clues))
         errors = spread.exp() * self.unsure
         return [Proportions(*pair) for pair in zip(logs.numpy(), errors.numpy(), strict=True)]
@@ -65,7 +65,7 @@ def proportion_clues(
     elevations: Sequence[float],
     tabletop: float,
 ) -> Float[np.ndarray, "n c"]:
-    """Return the features of the objects under ``masks``, none of which may be empty.
+    """Return the inputs of ``ProportionNetwork`` for the objects under ``masks``, all non-empty.
 
     ``elevations`` are the angles of the objects' feet below the horizon in radians. ``tabletop`` is
     the number of pixels that the tabletop covers, including the objects on it.

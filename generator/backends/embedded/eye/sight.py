@@ -202,7 +202,7 @@ def _new(
 def spread(
     frame: Frame, masks: Tensor, size: tuple[int, ...]
 ) -> tuple[Bool[np.ndarray, "h w"], Bool[np.ndarray, "h w"]]:
-    """Return the visible and whole mask (2, h, w) of a crop in a picture of ``size`` (h, w)."""
+    """Return a crop's visible and whole masks, mapped to a picture of ``size`` (h, w)."""
     fine = functional.interpolate(masks[None], size=(frame.side, frame.side), mode="bilinear")[0]
     visible, whole = frame.spread(fine.numpy(), size)
     return visible, visible | whole

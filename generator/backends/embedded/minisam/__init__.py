@@ -1,1 +1,1 @@
-"""Outlines by a promptable model that the user downloads; the detector finds everything else."""
+"""Segmentation with a downloadable promptable model for outlines and the detector for the rest."""

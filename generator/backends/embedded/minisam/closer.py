@@ -1,4 +1,4 @@
-"""Close-up segmentation of each object, for a finer outline and the parts that belong to it.
+"""Close-up segmentation of each object, for a finer outline and for parts that were missed.
 
 A point prompt at the middle of an outline selects the object without prescribing its extent. The
 parts of the resulting mask beyond the outline belong to the object, unless they are another object
@@ -42,7 +42,7 @@ _COVERS = 0.85  # minimum mutual coverage of this mask and the two outlines
 
 @dataclass(frozen=True, eq=False)
 class Closer:
-    """The result of a close-up: the outline, and the whole object if that is only a part of it.
+    """The result of a close-up: an outline, and the whole object's mask if the outline is a part.
 
     ``firm`` is True if no other piece needs to confirm the whole.
     """
@@ -58,7 +58,7 @@ def look_closer(
     image: UInt8[np.ndarray, "h w 3"],
     mask: Bool[np.ndarray, "h w"],
 ) -> Closer:
-    """Segment one object in a close-up, or in ``look`` if a close-up would not show more."""
+    """Segment one object in a close-up, or in ``look`` if a close-up would not show more detail."""
     frame = _frame(mask)
     near = look if frame is None else model.look(image, frame)
     drawn = near.in_box(mask_box(mask))
@@ -80,7 +80,7 @@ def complete(
     clear: Sequence[bool],
     may_be_thing: Callable[[Bool[np.ndarray, "h w"]], bool],
 ) -> list[Bool[np.ndarray, "h w"]]:
-    """Return the outlines, each with the parts that belong to it; pieces of an object are merged.
+    """Return the outlines, each completed by its missed parts; pieces of one object are merged.
 
     ``clear`` marks outlines that are certainly separate objects; only their own close-ups can show
     that they are pieces. ``may_be_thing`` rejects wholes that are the table or the background.
@@ -117,7 +117,7 @@ def ask_unions(
     image: UInt8[np.ndarray, "h w 3"],
     masks: Sequence[Bool[np.ndarray, "h w"]],
 ) -> Iterator[tuple[int, int, Bool[np.ndarray, "h w"]]]:
-    """Prompt with the box around each pair of outlines; yield the masks that show a pair as one.
+    """Prompt with the box around each pair of outlines; yield masks that show a pair as one object.
 
     Only pairs with one outline directly above the other are tried; objects side by side are
     separate.
@@ -140,7 +140,7 @@ def ask_unions(
 
 
 def _rests_on(upper: Bool[np.ndarray, "h w"], lower: Bool[np.ndarray, "h w"], reach: int) -> bool:
-    """Return whether the lower outline is directly below most of the upper one's foot."""
+    """Return whether the lower outline is directly below most of the upper outline's lower end."""
     gap = mask_box(lower)[:2] - mask_box(upper)[2:], mask_box(upper)[:2] - mask_box(lower)[2:]
     if float(np.max(gap)) > reach:
         return False
@@ -156,7 +156,7 @@ def _rests_on(upper: Bool[np.ndarray, "h w"], lower: Bool[np.ndarray, "h w"], re
 
 
 def _frame(mask: Bool[np.ndarray, "h w"]) -> Frame | None:
-    """Return the close-up frame of a mask, or None if it shows no more than the first pass."""
+    """Return the close-up frame of a mask, or None if it adds no detail to the first pass."""
     low, high = mask_box(mask).reshape(2, 2)
     frame = Frame.around(low, high, SIDE, _ROOM, _LEAST)
     first = SIDE / max(mask.shape)

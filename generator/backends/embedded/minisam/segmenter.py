@@ -119,7 +119,7 @@ def _complete(
     masks: list[Bool[np.ndarray, "h w"]],
     name: Callable[[Sequence[Bool[np.ndarray, "h w"]]], list[Float[np.ndarray, "k"]]],
 ) -> list[Bool[np.ndarray, "h w"]]:
-    """Return the masks refined in close-ups, each with the parts that belong to it."""
+    """Return the masks, refined in close-ups and completed by parts that were missed."""
     region, top = sight.region[REGIONS.index("thing")], sight.top > 0.5
     seen = [look_closer(model, look, image, mask) for mask in masks]
     clear = _are_clear(masks, name(masks), sight)
@@ -151,7 +151,7 @@ def _unite(
 def _not_shown(
     things: Sequence[EyeDetection], masks: Sequence[Bool[np.ndarray, "h w"]]
 ) -> list[EyeDetection]:
-    """Return the detections that the masks do not cover."""
+    """Return the detections that are mostly outside the masks."""
     if not masks:
         return list(things)
     covered = np.any(masks, axis=0)
@@ -163,7 +163,7 @@ def _thing(
     names: Float[np.ndarray, "k"],
     known: Sequence[EyeDetection],
 ) -> EyeDetection:
-    """Return a mask as a detection with the confidence and depth order of the closest one."""
+    """Convert a mask to a detection, with the confidence and hidden part of the closest one."""
     overlap = [mask_iou(mask, d.visible) for d in known]
     best = int(np.argmax(overlap)) if overlap else -1
     if best < 0 or overlap[best] < 0.5:

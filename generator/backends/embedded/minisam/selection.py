@@ -124,7 +124,7 @@ def _named_apart(inner: Float[np.ndarray, "k"], outer: Float[np.ndarray, "k"]) -
 def _without_copies(
     proposals: Sequence[Proposal], masks: Sequence[Bool[np.ndarray, "h w"]], areas: Sequence[int]
 ) -> list[int]:
-    """Return the indices of the best of the masks that show the same object."""
+    """Return the indices of the masks after removing duplicates, keeping each object's best."""
     kept: list[int] = []
     for k in sorted(range(len(masks)), key=lambda k: -proposals[k].quality * proposals[k].seen):
         shared = [int((masks[k] & masks[j]).sum()) for j in kept]

@@ -46,7 +46,7 @@ _RIVAL = 0.7  # error ratio to the rectangle below which an ellipse or triangle 
 
 @dataclass(frozen=True, eq=False)
 class _Rim:
-    """Points of a region's hull: ``places``, and the ``pixel`` size there, in plane units.
+    """Points on a region's convex hull: their ``places`` and ``pixel`` sizes, in plane units.
 
     ``true`` marks points on real edges; ``weights`` are their weights in the fit.
     """
@@ -187,7 +187,7 @@ def _rim(
 
 
 def _holding(rim: _Rim, carried: Float[np.ndarray, "n 2"]) -> _Rim:
-    """Return the rim, to which the outline of ``carried`` is added as visible points."""
+    """Return the rim with the outline of ``carried`` added, which the tabletop must contain."""
     outline = _sample(convex_outline(carried), _POINTS // 4)
     middle = carried.mean(0)
     away = np.linalg.norm(outline - middle, axis=1, keepdims=True)
@@ -221,7 +221,7 @@ class _Top:
 
 
 def _fit(rim: _Rim, shape: OutlineShape, flipped: bool) -> _Top:
-    """Return the outline of a shape that contains all points and passes through those on edges."""
+    """Fit an outline of a given shape that contains all points and meets those on edges."""
     found = []
     for turn in _turns(rim) if shape == "rectangle" else (_turns(rim)[0], 0.0):
         turned = rim.places @ rotation_z(turn)[:2, :2]
@@ -240,7 +240,7 @@ def _fit(rim: _Rim, shape: OutlineShape, flipped: bool) -> _Top:
 
 
 def _turns(rim: _Rim) -> list[float]:
-    """Return likely yaws of the tabletop: its real edges' main directions, in [-45, 45) degrees.
+    """Return likely yaws of the tabletop, in radians, from the main directions of its real edges.
 
     A top without any true edge is assumed to be aligned with the viewer.
     """
@@ -266,7 +266,7 @@ def _unpack(p: np.ndarray) -> tuple[np.ndarray, float, tuple[float, float], floa
 
 
 def _off(p: np.ndarray, rim: _Rim, shape: OutlineShape, flipped: bool) -> Float[np.ndarray, "n"]:
-    """Return the pixel distances from the outline, but 0 for inner points that are not on edges."""
+    """Return pixel distances from the outline, or 0 for points inside that are not on an edge."""
     center, turn, size, radius = _unpack(p)
     places = (rim.places - center) @ rotation_z(turn)[:2, :2]
     off = outline_distance(places, shape, flipped, size, radius) / rim.pixel
@@ -285,7 +285,7 @@ def _residuals(
 
 
 def _as_plane(top: _Top, camera: Camera) -> TablePlane:
-    """Transform the camera to the fitted tabletop's frame, with sides along the nearest axes."""
+    """Return the fitted tabletop as a ``TablePlane``, with the camera in the tabletop's frame."""
     quarter = 0.0 if top.shape == "triangle" else np.round(top.turn / (np.pi / 2)) * np.pi / 2
     turn, size = top.turn - quarter, top.size
     if round(quarter / (np.pi / 2)) % 2:

@@ -44,7 +44,7 @@ def as_seen(plane: TablePlane, outline: Outline, factor: float) -> TablePlane:
 
 
 def _agreement(plane: TablePlane, outline: Outline, factor: float) -> float:
-    """Return the overlap of the detected patch with its ideal shape, outside hidden regions."""
+    """Return the IoU of the detected tabletop and its ideal shape, outside hidden regions."""
     ideal = shapely.Polygon(plane.top())
     hull = shapely.Polygon(plane.to_table(outline.hull / factor))
     x0, y0, x1, y1 = ideal.union(hull).bounds

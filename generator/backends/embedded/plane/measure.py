@@ -58,7 +58,7 @@ def measured_extent(
 
 
 def _outline_depth(mask: Bool[np.ndarray, "h w"], plane: TablePlane) -> float:
-    """Return twice the depth that a mask's lower outline spans on the plane, in metres."""
+    """Return twice the depth range of a mask's lower outline on the plane, in metres."""
     columns = np.flatnonzero(mask.any(0))
     lowest = (mask.shape[0] - mask[::-1, columns].argmax(0)).astype(float)
     near = lowest.max() - lowest < 0.6 * np.ptp(np.flatnonzero(mask.any(1))) + 1

@@ -46,7 +46,7 @@ class Outline:
 
 
 def working_copy(image: UInt8[np.ndarray, "h w 3"]) -> tuple[Float[np.ndarray, "a b 3"], float]:
-    """Return the picture in CIELAB at working size, and its scale to working pixels."""
+    """Return the picture in CIELAB, reduced to the working size, and the scale factor."""
     factor = min(1.0, WORKING_SIZE / max(image.shape[:2]))
     size = (max(1, round(image.shape[1] * factor)), max(1, round(image.shape[0] * factor)))
     small = cv2.resize(image, size, interpolation=cv2.INTER_AREA) if factor < 1 else image
@@ -55,7 +55,7 @@ def working_copy(image: UInt8[np.ndarray, "h w 3"]) -> tuple[Float[np.ndarray, "
 
 
 def find_outline(image: UInt8[np.ndarray, "h w 3"], sight: EyeReading) -> tuple[Outline, float]:
-    """Return the tabletop's outline, and the picture's scale to working pixels.
+    """Return the tabletop's outline, and the scale from picture pixels to working pixels.
 
     Raises:
         SceneError: no tabletop was detected.

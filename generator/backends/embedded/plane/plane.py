@@ -59,7 +59,7 @@ _KINDS = (
 
 @dataclass(frozen=True, eq=False)
 class TablePlane:
-    """The tabletop of one picture.
+    """The tabletop in one picture: its shape, its size and the camera.
 
     ``camera`` is in metres with the *centre of the top surface* as origin (x right, y away, z up);
     its scale follows from ``size``, the top's (length, width) in metres. ``shape`` is the outline's
@@ -86,7 +86,7 @@ class TablePlane:
         return np.asarray(shapely.orient_polygons(widened).exterior.coords)[:-1]
 
     def to_table(self, pixels: Float[np.ndarray, "n 2"], z: float = 0.0) -> np.ndarray:
-        """Return x, y in metres of picture pixels, on the plane ``z`` metres above the tabletop."""
+        """Project picture pixels to x, y in metres on the plane ``z`` metres above the tabletop."""
         return self.camera.on_plane(pixels, z)[:, :2]
 
     def elevation_at(self, box: Float[np.ndarray, "4"]) -> float:
@@ -176,7 +176,7 @@ def outline_points(
 
 @dataclass(frozen=True, eq=False)
 class _Fit:
-    """A camera and an outline of unit length.
+    """A fitted camera and tabletop outline; the outline's length is 1.
 
     ``parameters``: azimuth, elevation, log fov, target x, y, log distance, log aspect, and the
     logit of the corner radius relative to its maximum.
@@ -206,7 +206,7 @@ def _pixels_off(
     kind: _Kind,
     frame: tuple[int, int],
 ) -> Float[np.ndarray, "n"]:
-    """Return the distances of edge points from the outline in pixels (to first order)."""
+    """Return the distances in pixels of edge points from the outline, to first order."""
     camera = _camera(parameters, *frame)
     on_plane = camera.on_plane(points, 0.0)
     seen = np.asarray(np.isfinite(on_plane).all(1))
@@ -250,7 +250,7 @@ def _view_parameters(view: View) -> Float[np.ndarray, "3"]:
 
 
 def _bounds(view: View | None) -> tuple[np.ndarray, np.ndarray]:
-    """Return the parameters' lower and upper bounds; a given view fixes its own parameters."""
+    """Return the parameters' lower and upper bounds; a given view fixes its three angles."""
     if view is None:
         return _LOWER, _UPPER
     given = _view_parameters(view)
@@ -296,7 +296,7 @@ _STEP = np.array([0.1, 0.1, 0.1, 0.05, 0.05, 0.1, 0.1, 1.0])  # typical size of 
 def _starts(
     hull: Float[np.ndarray, "k 2"], frame: tuple[int, int], expected: View
 ) -> list[np.ndarray]:
-    """Return initial guesses from the outline's box and the expected view, straight and rotated."""
+    """Return three initial guesses with different azimuths, from the outline and expected view."""
     low, high = hull.min(0), hull.max(0)
     span = high[0] - low[0]
     elevation = max(expected.elevation, 0.15)

@@ -1,4 +1,4 @@
-"""Detection of a picture's tabletop and camera: complete, cut by the frame, or from eye level."""
+"""Detection of the camera and of a tabletop that is complete, cut by the frame, or at eye level."""
 
 from __future__ import annotations
 
@@ -119,7 +119,7 @@ _DOUBT = np.deg2rad(3.0)  # typical error of the map in radians
 
 
 def fit_view(latitude: Float[np.ndarray, "h w"]) -> tuple[float, float]:
-    """Return the elevation and vertical field of view (radians) of a level camera.
+    """Estimate a level camera's elevation and vertical field of view (radians) from latitudes.
 
     ``latitude`` is each pixel's angle below the horizon in radians. Pixels are square, and the
     principal point is the image centre.

@@ -23,7 +23,7 @@ def plane_outline(
     sweep: Float[np.ndarray, "k 3"],
     cells: int = 280,
 ) -> shapely.Polygon | None:
-    """Return the largest outline in a plane whose extrusion projects inside the mask.
+    """Return the largest outline in a plane such that its extrusion projects inside the mask.
 
     ``axes`` are the plane's two unit vectors (rows); ``sweep`` are the shifts of an extruded point.
     Coordinates are lengths along the axes from ``origin``. The result is None for a plane seen
@@ -83,7 +83,7 @@ def _longest_side(outline: shapely.Polygon) -> float:
 def _swept_outline(
     mask: Mask, projection: Projection, axes: np.ndarray, sweep: np.ndarray, share: float
 ) -> tuple[shapely.Polygon, float] | None:
-    """Return the outline in a plane through the origin, and its extrusion length.
+    """Fit an extruded outline in a plane through the origin; return it and the extrusion length.
 
     The length is ``share`` of the outline's longer side; ``sweep`` are the shifts for a length of
     1.
@@ -114,7 +114,7 @@ def fit_prism(mask: Mask, projection: Projection, thickness: float) -> PosedSoli
 
 
 def base_line(mask: Mask, projection: Projection) -> float | None:
-    """Return the yaw of the line through an object's lowest pixels, or None if they are uneven."""
+    """Return the yaw of the line along an object's lowest pixels, or None if it is not straight."""
     columns = np.flatnonzero(mask.any(0))
     if len(columns) < 12:
         return None
@@ -132,7 +132,7 @@ def base_line(mask: Mask, projection: Projection) -> float | None:
 
 
 def fit_upright(mask: Mask, projection: Projection, yaw: float, depth: float) -> PosedSolid | None:
-    """Return the upright profile in the vertical plane of ``yaw`` that fills ``mask``.
+    """Return a vertical profile at ``yaw``, extruded to a solid that fills ``mask``.
 
     ``depth`` is the length of the extrusion relative to the longest side of the profile. The bottom
     is cut flat and, if the solid would tip over, widened to a foot.

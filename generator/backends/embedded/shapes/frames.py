@@ -63,5 +63,5 @@ def descend(
 
 
 def bounded_gap(a: Float[np.ndarray, "3"], b: Float[np.ndarray, "3"]) -> float:
-    """Return the ``proportion_gap`` of two extents, at most 1.5."""
+    """Return the ``proportion_gap`` of two extents, limited to at most 1.5."""
     return min(proportion_gap(a, b), 1.5)

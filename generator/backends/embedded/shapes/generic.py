@@ -107,7 +107,7 @@ def score(posed: PosedSolid, mask: Mask, small: Projection, size: SizePrior) -> 
 
 
 def accident(posed: PosedSolid, small: Projection) -> float:
-    """Return the cost of a low solid that points at the camera, or of a tall, thin one.
+    """Return the penalty for a low solid that points at the camera, or for a tall, thin solid.
 
     An upright object that is modelled as lying seems elongated towards the camera, so the cost of a
     lying outline begins early and grows steeply. Rectangles are often aligned with the camera and
@@ -129,7 +129,7 @@ def accident(posed: PosedSolid, small: Projection) -> float:
 
 
 def _drawn_out(posed: PosedSolid) -> tuple[float, Float[np.ndarray, "2"]]:
-    """Return the ratio of length to width of a lying solid's top, and its long direction."""
+    """Return the length-to-width ratio of a lying solid's top, and the direction of its length."""
     triangles = posed.world[posed.solid.faces]
     weight = np.maximum(scaled_normals(triangles)[:, 2], 0.0)
     points = triangles[:, :, :2].mean(1)
@@ -213,7 +213,7 @@ def _with_handle(body: PosedSolid, mask: Mask, projection: Projection) -> PosedS
 
 
 def _limb(piece: Mask, mask: Mask, body: PosedSolid, projection: Projection) -> ConvexSolid | None:
-    """Return a part of the silhouette beside the body as a flat solid reaching into the body."""
+    """Convert a part of the silhouette beside a body to a flat solid that reaches into the body."""
     grown = dilate(piece, 7) & mask
     axes = np.array([projection.right, [0, 0, 1.0]])
     outline = plane_outline(grown, projection, body.position, axes, np.zeros((1, 3)))

@@ -120,7 +120,7 @@ class _Search:
         return [poses[k] for k in kept[np.argsort(-iou[kept], kind="stable")][:6]]
 
     def loss(self, parameters: np.ndarray) -> float:
-        """Return the loss of the search."""
+        """Return the loss: one minus the silhouette overlap, plus a penalty for stretching."""
         stretch = np.abs(parameters[1:])
         if stretch.max() > _STRETCH:
             return 2.0
@@ -149,7 +149,7 @@ def fit_likeness(
     occluded: bool,
     variants: int = VARIANTS,
 ) -> Likeness:
-    """Return the variant and pose of a category that resemble the crop most.
+    """Return the variant of a category that most resembles the crop, in its best pose.
 
     ``mask`` is the crop's silhouette at the resolution of ``small``. The completed outline of an
     occluded object is a guess, so its proportions are the catalogue's.
@@ -173,7 +173,7 @@ def fit_likeness(
 
 
 def _with_profile(found: Likeness, mask: np.ndarray, small: Projection, round_: bool) -> Likeness:
-    """Return the likeness, with a profile if that fits the outline better."""
+    """Return the likeness, tapered or bulged by a ``Profile`` if that fits the outline better."""
     if found.extent[2] < _STANDING * found.extent[:2].min() or found.iou > 0.975:
         return found
     plain = dataclasses.replace(found.model, size=found.extent)

@@ -25,7 +25,7 @@ _CUT = 0.006  # maximum loss of overlap from trimming an end
 
 @dataclass(frozen=True, eq=False)
 class EllipseStack:
-    """Ellipses at increasing ``z``, centred at ``x`` along ``right``, with half width ``r``.
+    """Level ellipses at ascending ``z``, with sideways centres ``x`` and half widths ``r``.
 
     Lengths are in the object frame, whose origin lies on the stack's plane. ``depth`` is the ratio
     of the ellipses' extent away from the camera to their width.
@@ -37,7 +37,7 @@ class EllipseStack:
     depth: float = 1.0
 
     def cut(self, start: int, stop: int) -> EllipseStack:
-        """Return a range of the slices."""
+        """Return the slices from ``start`` up to, but not including, ``stop``."""
         run = slice(start, stop)
         return EllipseStack(self.z[run], self.x[run], self.r[run], self.depth)
 
@@ -78,7 +78,7 @@ def _rings(
 
 
 def reach_of(mask: Mask, projection: Projection) -> tuple[float, float]:
-    """Return the range of slices sideways and upwards, in units of the object frame."""
+    """Return the limits of slices sideways and upwards, in units of the object frame."""
     width = int(mask.any(0).sum()) * projection.pixel
     tall = int(mask.any(1).sum())
     tall = 1.3 * tall * projection.pixel / max(np.sqrt(1 - projection.sine**2), 0.25)
@@ -105,7 +105,7 @@ def largest_slices(
 
 
 def with_stems(stack: EllipseStack, mask: Mask, projection: Projection) -> EllipseStack:
-    """Return the stack with additional slices where the mask is too thin for the others.
+    """Return the stack, adding thin slices where the mask is narrower than all ellipses tried.
 
     Such a slice is as wide as the mask's widest run at its height.
     """
@@ -201,7 +201,7 @@ def _smooth(values: np.ndarray) -> np.ndarray:
 def best_stack(
     stacks: list[EllipseStack], mask: Mask, projection: Projection, free: bool
 ) -> EllipseStack | None:
-    """Trim and refine the most promising stacks and return the best, or None if there are none."""
+    """Return the best stack, trimmed and refined, or None if there are none."""
     if not stacks:
         return None
     overlaps = [mask_iou(s.silhouette(projection), mask) - _FLAT * (1 - s.depth) for s in stacks]
@@ -211,7 +211,7 @@ def best_stack(
 
 
 def fit_slices(mask: Mask, projection: Projection) -> PosedSolid | None:
-    """Return the inflated silhouette of an upright object, or None if nothing fits."""
+    """Return an upright solid made by inflating the silhouette, or None if nothing fits."""
     width, tall = reach_of(mask, projection)
     z = np.linspace(-tall, tall, 64)
     x = np.linspace(-0.4, 0.4, 17) * width

@@ -25,7 +25,7 @@ Polygon = shapely.Polygon
 
 @dataclass(frozen=True, eq=False)
 class ConvexSolid:
-    """A closed mesh (welded vertices, faces counter-clockwise from outside) and convex pieces."""
+    """A closed mesh with welded vertices and outward-facing triangles, and its convex pieces."""
 
     vertices: Float[np.ndarray, "n 3"]
     faces: Int[np.ndarray, "m 3"]
@@ -91,7 +91,7 @@ def _frusta(
     depth: float,
     maximum: int = 8,
 ) -> tuple[ConvexPart, ...]:
-    """Split a stack into at most ``maximum`` pieces; straight round ones become cylinders."""
+    """Split a stack into at most ``maximum`` pieces; straight, round pieces become cylinders."""
     keep = simplify_profile(heights, np.column_stack([radii, shifts]), maximum + 1)
     angle = np.arange(16) * 2 * np.pi / 16
     ring = np.column_stack([np.cos(angle), depth * np.sin(angle), np.zeros(16)])
@@ -129,7 +129,7 @@ def simplify_profile(
 
 
 def join(solids: list[ConvexSolid]) -> ConvexSolid:
-    """Merge solids of one frame into one; each stays closed."""
+    """Merge solids that have a common frame into one solid; each of them stays closed."""
     counts = np.cumsum([0, *(len(s.vertices) for s in solids)])
     return ConvexSolid(
         np.concatenate([s.vertices for s in solids]),
@@ -248,7 +248,7 @@ def heightfield(heights: Float[np.ndarray, "a b"], width: float, depth: float) -
 def _strips(
     vertices: Float[np.ndarray, "n 3"], quads: Int[np.ndarray, "q 4"], width: float, count: int = 6
 ) -> tuple[ConvexPart, ...]:
-    """Return the convex hulls of slices along x of a height field."""
+    """Return the convex hulls of a height field's slices along x."""
     middle = vertices[quads].mean(1)[:, 0]
     index = np.clip(((middle / width + 0.5) * count).astype(int), 0, count - 1)
     parts = []

@@ -83,7 +83,7 @@ def distinct(detections: Sequence[BoxDetection]) -> list[BoxDetection]:
 def name_generic(
     detections: Sequence[BoxDetection], generic: str, better: Sequence[BoxDetection]
 ) -> list[BoxDetection]:
-    """Return the detections; ``generic`` ones get the best specific word for their box."""
+    """Replace the label ``generic`` of detections by the best specific word for their boxes."""
     made = []
     for detection in detections:
         if detection.label == generic:
@@ -159,7 +159,7 @@ _BELOW = 1 / 60  # search distance below a foot, relative to the picture's longe
 
 
 def on_table(things: Sequence[BoxDetection], table: Bool[np.ndarray, "h w"]) -> list[BoxDetection]:
-    """Return the detections without those beside or below the table, in order.
+    """Return the detections on the table, in order, without those beside or below it.
 
     Most of the lowest part of an object on the table is over the table's outline, or directly above
     other objects on the table: it stands on them or behind them.
@@ -223,7 +223,7 @@ def to_batch(
 
 
 def bound_size(width: int, height: int, shorter: int, longer: int) -> tuple[int, int]:
-    """Return a size of the same aspect ratio with the given shorter and a limited longer side.
+    """Return a size with the same aspect ratio, the given shorter side and a limited longer side.
 
     Sizes are rounded as in Grounding DINO's processor.
     """

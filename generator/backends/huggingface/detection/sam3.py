@@ -50,7 +50,7 @@ class Sam3:
         detections: Sequence[BoxDetection],
         tiles: Sequence[Tile],
     ) -> list[BoxDetection]:
-        """Return the detections with a mask, which ``find`` has already computed."""
+        """Return the detections with non-empty masks, which ``find`` has already computed."""
         return [detection for detection in detections if detection.mask.any()]
 
     def _ask(self, encoded: Any, tile: Tile, word: str) -> list[BoxDetection]:

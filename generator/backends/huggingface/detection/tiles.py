@@ -41,7 +41,7 @@ class Tile:
         return (boxes - [self.x0, self.y0] * 2) / np.tile(self.size, 2)
 
     def whole(self, mask: Bool[np.ndarray, "th tw"]) -> Bool[np.ndarray, "h w"]:
-        """Return a mask of the tile as a mask of the whole picture."""
+        """Convert a mask of the tile to a mask of the whole picture."""
         made = np.zeros((self.height, self.width), bool)
         made[self.y0 : self.y1, self.x0 : self.x1] = mask
         return made

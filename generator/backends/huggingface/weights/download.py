@@ -111,7 +111,7 @@ def watch(
 
 
 def main() -> None:
-    """Download the model described by the arguments; report errors and exit."""
+    """Download the model described by the command-line arguments; report errors and exit."""
     described, folder = sys.argv[1:]
     try:
         values = json.loads(described)

@@ -116,7 +116,7 @@ class Cursor(ABC):
 
     @abstractmethod
     def _leads(self) -> bool:
-        """Return whether a place precedes its objects here."""
+        """Return whether a place comes before its objects here, as in "on the tray are ..."."""
 
     @abstractmethod
     def _people(self) -> int:

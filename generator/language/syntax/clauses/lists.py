@@ -140,7 +140,7 @@ class ListReader(PostReader):
         return found
 
     def _leads(self) -> bool:
-        """Return whether a place precedes its objects here."""
+        """Return whether a place comes before its objects here, as in "on the tray are ..."."""
         before, heading, ordered = self.i, self._heading, self._ordered
         found = self._lead() is not None
         self.i, self._heading, self._ordered = before, heading, ordered

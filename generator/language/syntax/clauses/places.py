@@ -140,7 +140,7 @@ class PlaceReader(Cursor):
             out.append(Description(({},), tuple(lengths)))
 
     def _place_apart(self, distance: tuple[int, float], *, leading: bool) -> Location | None:
-        """Parse a place after a distance, which plans omit; a long distance is not "next to"."""
+        """Parse a place after a distance, which plans omit; a long one does not mean "next to"."""
         before, (self.i, meters) = self.i, distance
         said = " ".join(token.text for token in self.tokens[before : self.i])
         place = self._place(leading=leading)
@@ -157,7 +157,7 @@ class PlaceReader(Cursor):
         return place
 
     def _far_from(self) -> Location | None:
-        """Parse "far from the candle" and "away from it", which plans omit."""
+        """Parse "far from the candle" and "away from it", which have no equivalent in plans."""
         before = self.i
         k = 1 + (self._text() == "far" and self._text(1) == "away")
         if self._text() not in ("far", "away") or self._text(k) != "from":

@@ -241,7 +241,7 @@ def _last_noun(before: Sequence[Token]) -> tuple[int, int] | None:
 def _recount(
     before: list[Token], said: Sequence[Token], noun: Noun, head: str | None, rest: list[Token]
 ) -> list[Token] | None:
-    """Change the number of the last counted objects, or of those with a given head."""
+    """Change the number of the last counted objects, or of those with a given head noun."""
     number = [t for t in said if t.tag == "number" or t.text in fw.NUMBERS or t.text in fw.AMOUNTS]
     if not number or (noun.count is None and noun.amount is None):
         return None

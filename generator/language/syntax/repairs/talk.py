@@ -170,7 +170,7 @@ _DOING = (["has", "to"], ["needs", "to"], ["should"], ["must"], ["can"], ["will"
 
 
 def _robot(texts: Sequence[str]) -> int:
-    """Return the number of words in "the robot has to"."""
+    """Return the number of words in "the robot has to" and similar phrases, or 0 for others."""
     if texts[:2] not in (["the", "robot"], ["the", "gripper"], ["a", "robot"]):
         return 0
     k = 2 + (texts[2:3] in (["arm"], ["gripper"], ["hand"]))

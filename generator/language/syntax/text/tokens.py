@@ -103,7 +103,7 @@ def tokens_of(words: Sequence[Word], is_noun: Any) -> list[Token]:
 
 
 def _name_length(words: Sequence[Word], i: int, is_noun: Any) -> int:
-    """Return how many words from ``i`` onwards form an object's name with a function word."""
+    """Return how many words from ``i`` onwards form an object's name with a function word in it."""
     for length in range(min(_LONGEST, len(words) - i), 1, -1):
         run = words[i : i + length]
         if all(w.kind == "word" for w in run) and is_noun(tuple(w.text for w in run)):

@@ -1,4 +1,4 @@
-"""The content of a compiled world in the robot's base frame, from which a bank's row is built.
+"""The objects and geoms of a compiled world in the robot's base frame, to be copied to a bank.
 
 Numbers are copied from the model that the environment compiles for the scene alone, so that mesh
 offsets, bounds and inverse weights are identical floats in both.
@@ -102,7 +102,7 @@ class SceneContent:
 
     @classmethod
     def of(cls, world: World, looks: bool = False) -> SceneContent:
-        """Read a world without changing it; the initial poses are those of the scene."""
+        """Read the content of a world without changing it, with the scene's initial poses."""
         import mujoco
 
         model, scene = world.model, world.scene
@@ -127,7 +127,7 @@ class SceneContent:
 
 
 def robot_numbers(model: mujoco.MjModel) -> Float[np.ndarray, "_r"]:
-    """Return the numbers that determine how a model's robot moves, for comparing robots."""
+    """Return the inertias, geom sizes, friction and gains of a model's robot, to compare robots."""
     bodies = np.flatnonzero(gripper_sides(model))
     geoms = np.isin(model.geom_bodyid, bodies) & (model.geom_contype > 0)
     numbers = [getattr(model, field)[bodies] for field in ("body_mass", "body_inertia")]

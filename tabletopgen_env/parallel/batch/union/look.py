@@ -56,7 +56,7 @@ class Skin:
 
 @dataclass(frozen=True, eq=False)
 class DrawnPart:
-    """A skin on a named body; an empty name means a static part in the base frame."""
+    """A mesh with a material on a named body, or fixed in the base frame if the name is empty."""
 
     skin: Skin
     body: str
@@ -93,7 +93,7 @@ class SceneLook:
 
     @classmethod
     def of(cls, world: World) -> SceneLook:
-        """Read a world without changing it; the initial poses are those of the scene."""
+        """Read the appearance of a world without changing it, with the scene's initial poses."""
         import mujoco
 
         model = world.model

@@ -30,7 +30,7 @@ _AWAY = np.array([0.0, 0.0, -1000.0])  # metres: position of absent geoms
 
 @dataclass(frozen=True, eq=False)
 class LookRows:
-    """Fields of geoms (g) and cameras (c) that vary between scenes (n), in their bodies' frames.
+    """The fields of g geoms and c cameras that differ between n scenes, in the bodies' frames.
 
     ``data`` and ``material`` are indices of meshes and materials, -1 for none.
     """
@@ -122,7 +122,7 @@ def _all_parts(look: SceneLook) -> tuple[DrawnPart, ...]:
 
 
 def _spec(look: SceneLook, skins: dict[str, Skin], slots: int) -> mujoco.MjSpec:
-    """Build the specification with all geoms in the world body, ordered as ``LookUnion.bodies``."""
+    """Return a specification with all geoms in the world body, ordered as ``LookUnion.bodies``."""
     import mujoco
 
     spec, kinds = mujoco.MjSpec(), mujoco.mjtGeom

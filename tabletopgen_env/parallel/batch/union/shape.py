@@ -18,7 +18,7 @@ Room = Mapping[GeomKind, int]
 
 @dataclass(frozen=True)
 class UnionShape:
-    """Geom counts of each slot (a free body for one object) and of the static body ``fixed``.
+    """The numbers of geoms in the slots (free bodies for objects) and in the static body ``fixed``.
 
     Models of equal shape use the same compiled kernels.
     """
@@ -32,7 +32,7 @@ class UnionShape:
 
     @classmethod
     def around(cls, contents: Sequence[SceneContent]) -> UnionShape:
-        """Return a small shape that fits every scene.
+        """Return a shape with few geoms that fits the contents of all scenes.
 
         Scenes are added in order of decreasing geom count; each assigns its objects to slots so
         that the fewest geoms have to be added.
@@ -68,12 +68,12 @@ def _geom_count(content: SceneContent) -> int:
 
 
 def _lack(need: Counter[GeomKind], room: Room) -> int:
-    """Return how many required geoms a body lacks."""
+    """Return the number of needed geoms for which a body has no room."""
     return sum(max(0, count - room.get(kind, 0)) for kind, count in need.items())
 
 
 def _cheapest(content: SceneContent, slots: Sequence[Room]) -> tuple[int, ...]:
-    """Assign objects to distinct slots so that as few geoms as possible are lacking."""
+    """Assign objects to distinct slots so that as few geoms as possible must be added."""
     from scipy.optimize import linear_sum_assignment
 
     lack = [[_lack(thing.geoms.need, room) for room in slots] for thing in content.objects]

@@ -23,7 +23,7 @@ MOST_PARTS = 12
 
 
 def cap_world(world: World, most: int, robot: Panda) -> World:
-    """Return a world with the same mount whose objects have at most ``most`` convex parts.
+    """Return a world, with the same mount, in which no object has more than ``most`` convex parts.
 
     If an object has more, parts are merged, and the scene passes the gate and is compiled again.
 

@@ -83,7 +83,7 @@ class SlotUnion:
         self._empty = self._empty_row()
 
     def row(self, content: SceneContent, slots: tuple[int, ...]) -> Row:
-        """Build the row of a scene with its objects in ``slots`` (from ``UnionShape.assign``).
+        """Build the row of field values for a scene, given ``slots`` from ``UnionShape.assign``.
 
         Raises:
             InputError: the scene was compiled with a different robot.
@@ -102,7 +102,7 @@ class SlotUnion:
         return row
 
     def _all_geoms(self, place: int) -> list[int]:
-        """Return the static geoms for place 0, or else those of slot ``place - 1``."""
+        """Return the static geoms if ``place`` is 0, or else the geoms of slot ``place - 1``."""
         return [geom for geoms in self._geoms[place].values() for geom in geoms]
 
     def _empty_row(self) -> dict[str, np.ndarray]:

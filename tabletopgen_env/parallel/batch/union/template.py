@@ -52,7 +52,7 @@ _SKEW = {
 
 @dataclass(frozen=True)
 class Addresses:
-    """Addresses in the model's arrays, all in the order of the slots.
+    """Addresses of joints, bodies and a site in the model's arrays, in the order of the slots.
 
     ``arm_qpos`` and ``arm_dof`` are the seven joints, ``finger_qpos`` the two slides,
     ``slot_bodies`` one body per slot, ``slot_qpos`` 7 entries per slot (position and quaternion),
@@ -70,7 +70,7 @@ class Addresses:
 
     @classmethod
     def of(cls, model: mujoco.MjModel, slots: Sequence[int]) -> Addresses:
-        """Return the addresses in a model; ``slots`` are the ids of its bodies for objects."""
+        """Return the addresses in a model; ``slots`` are the ids of the bodies of objects."""
         arm = [model.joint(PREFIX + name) for name in ARM_JOINTS]
         fingers = [model.joint(PREFIX + name) for name in FINGER_JOINTS]
         joints = model.body_jntadr[slots]
@@ -126,7 +126,7 @@ def union_spec(
 
 
 def places(model: mujoco.MjModel, body: int, room: Room) -> dict[GeomKind, list[int]]:
-    """Return the kind of each geom in a body of ``union_spec``."""
+    """Return the indices of the geoms of each kind in a body of ``union_spec``."""
     first, found = int(model.body_geomadr[body]), {}
     for kind, count in room.items():
         found[kind] = list(range(first, first + count))
@@ -135,7 +135,7 @@ def places(model: mujoco.MjModel, body: int, room: Room) -> dict[GeomKind, list[
 
 
 def _undress(arm: mujoco.MjSpec) -> mujoco.MjSpec:
-    """Remove the visual-only geoms of a robot."""
+    """Remove the geoms of a robot that do not collide."""
     for geom in arm.geoms:
         if not (geom.contype or geom.conaffinity):
             arm.delete(geom)
@@ -147,7 +147,7 @@ def _undress(arm: mujoco.MjSpec) -> mujoco.MjSpec:
 
 
 def _add_room(body: mujoco.MjsBody, room: Room) -> None:
-    """Add the geoms in the order of ``places``."""
+    """Add the geoms that are counted in ``room`` to a body, in the order of ``places``."""
     import mujoco
 
     for (kind, condim), count in room.items():
