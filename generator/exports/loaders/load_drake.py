@@ -1,4 +1,4 @@
-"""Load this scene into Drake, with free objects at their poses and a fixed table and floor.
+"""Load this scene into Drake: objects free at their poses, table and floor fixed.
 
 python load_drake.py prints how far each object moves in two seconds, in millimetres.
 """
