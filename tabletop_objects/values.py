@@ -17,10 +17,10 @@ from jaxtyping import Float, Int, UInt8
 from .errors import InputError
 
 FARTHEST = 1000.0
-"""Maximum of all positions, sizes and distances in a scene, metres."""
+"""Maximum of all positions, sizes and distances in a scene, in metres."""
 
 SMALLEST = 1e-6
-"""Minimum extent of an object, metres."""
+"""Minimum extent of an object, in metres."""
 
 ArrayKind = tuple[type[np.generic], tuple[int | None, ...]]
 """The type and shape of an array; None stands for any length."""

@@ -21,32 +21,32 @@ from generator.geometry import convex_outline, hull_points, quaternion_matrix
 from generator.scene import ConvexPart, Object
 
 GRIPPER_OPENING = 0.08
-"""Maximum opening of the Franka hand, metres."""
+"""Maximum opening of the Franka hand, in metres."""
 
 FINGER_CLEARANCE = 0.006
-"""Total clearance on the two sides of an object between the open fingers, metres."""
+"""Total clearance on the two sides of an object between the open fingers, in metres."""
 
 WIDEST = GRIPPER_OPENING - FINGER_CLEARANCE
-"""Width of the widest object that the fingers can span, metres."""
+"""Width of the widest object that the fingers can span, in metres."""
 
 MAX_MASS = 1.5
 """Largest mass to grasp by friction, kg (the arm's payload is 3 kg)."""
 
 MIN_HEIGHT = 0.012
-"""Height of the flattest object that the fingers can pick up from a table top, metres."""
+"""Height of the flattest object that the fingers can pick up from a table top, in metres."""
 
 WALL_DEPTH = 0.015
-"""Minimum depth of a hollow that counts as an opening, metres."""
+"""Minimum depth of a hollow that counts as an opening, in metres."""
 
 THICKEST_WALL = 0.03
-"""Maximum thickness of a wall that can be grasped at its rim, metres."""
+"""Maximum thickness of a wall that can be grasped at its rim, in metres."""
 
 WIDEST_FLARE = 0.5
 """Maximum outward slope of a wall that can be grasped at its rim (metres per metre). A hand that
 points straight down slips off steeper slopes."""
 
 LEVEL = 0.003
-"""Maximum unevenness of a flat top, metres."""
+"""Maximum unevenness of a flat top, in metres."""
 
 _GRID = 48
 _FINE = 0.002  # metres, about the thickness of walls

@@ -11,7 +11,7 @@ from .plan import RelationKind
 from .provenance import plain
 
 MAX_LEAN = 45.0
-"""Tilt of gravity in the physical gate, degrees."""
+"""Tilt of gravity in the physical gate, in degrees."""
 
 FailureKind = Literal[
     "overlap", "moved", "turned", "floats", "fell", "off-table", "diverged", "recorded"

@@ -26,10 +26,10 @@ from .candidates import Reasons, blocking_reason, draw_episode, given_point, on_
 from .task import Choice, Episode, Task, episode
 
 WAY = (0.08, 0.25)
-"""Minimum and maximum distance of a push, metres."""
+"""Minimum and maximum distance of a push, in metres."""
 
 HEAVIEST = 1.5
-"""Maximum mass of a target, kg."""
+"""Maximum mass of a target, in kg."""
 
 SLENDER = 1.2
 """Maximum height of a target as a multiple of its smallest width: more slender objects topple."""

@@ -32,7 +32,7 @@ _YAWS = np.arange(8) * np.pi / 4
 """Candidate yaws of the hand, base frame, in radians."""
 
 TALLEST = 0.25
-"""Maximum height of a support, metres: the arm must pass over it."""
+"""Maximum height of a support, in metres: the arm must pass over it."""
 
 
 class Stack(Task):

@@ -17,7 +17,7 @@ from .design import CRITERIA, LEVELS, SCHEMA
 from .key import StudyKey
 
 MAX_ANSWER_BYTES = 2**20
-"""Maximum size of one rater's answers, bytes; 200 scenes of 8 methods take less."""
+"""Maximum size of one rater's answers, in bytes; 200 scenes of 8 methods take less."""
 
 MAX_FILE_BYTES = 16 * MAX_ANSWER_BYTES
 """Maximum size of a rater's list of answers from a studio, in bytes."""

@@ -86,8 +86,7 @@ _VIEWS: dict[str, tuple[tuple[int, int, int], tuple[int, int, int]]] = {
     "+y": ((-1, 0, 0), (0, -1, 0)),
     "-y": ((1, 0, 0), (0, 1, 0)),
 }
-"""For each axis towards the camera: the axis that points right, and the camera's direction.
-"""
+"""For each axis that points to the camera: the direction to the right, and that to the camera."""
 
 
 def six_sides(mesh: Mesh) -> UInt8[np.ndarray, "h w 3"]:
