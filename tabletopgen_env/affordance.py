@@ -30,7 +30,7 @@ WIDEST = GRIPPER_OPENING - FINGER_CLEARANCE
 """Width of the widest object that the fingers can span, in metres."""
 
 MAX_MASS = 1.5
-"""Largest mass to grasp by friction, kg (the arm's payload is 3 kg)."""
+"""Maximum mass, in kg, of an object that can be grasped by friction (the arm's payload is 3 kg)."""
 
 MIN_HEIGHT = 0.012
 """Height of the flattest object that the fingers can pick up from a table top, in metres."""
@@ -130,16 +130,17 @@ def why_not_graspable(obj: Object, hollow: Opening | None) -> str | None:
         return None
     if hollow is not None and hollow.wall <= THICKEST_WALL and hollow.depth >= 2 * WALL_DEPTH:
         return None if hollow.flare <= WIDEST_FLARE else "its walls lean too far to be gripped"
-    return f"{100 * grasp_width(obj):.1f} cm is wider than the gripper's {100 * WIDEST:.1f} cm"
+    wide = f"it is {100 * grasp_width(obj):.1f} cm wide"
+    return f"{wide}, but the gripper spans only {100 * WIDEST:.1f} cm"
 
 
 def why_not_liftable(obj: Object) -> str | None:
     """Return why no grasp could lift the object, or None if one might."""
     if obj.mass > MAX_MASS:
-        return f"{obj.mass:.3g} kg is heavier than {MAX_MASS} kg"
+        return f"its mass of {obj.mass:.3g} kg exceeds {MAX_MASS} kg"
     height = resting_height(obj)
     if height < MIN_HEIGHT:
-        return f"{1000 * height:.0f} mm is flatter than {1000 * MIN_HEIGHT:.0f} mm"
+        return f"its height of {1000 * height:.0f} mm is less than {1000 * MIN_HEIGHT:.0f} mm"
     return None
 
 

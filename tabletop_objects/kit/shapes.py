@@ -32,7 +32,7 @@ FRICTION: Mapping[str, float] = MappingProxyType(
         "rubber": 0.85,
     }
 )  # fmt: skip
-"""Sliding friction by material on a plain wooden top; "device" is a case on rubber feet.
+"""Sliding friction by material on a plain wooden tabletop; "device" is a case on rubber feet.
 
 Handbook ranges are wood on wood 0.25-0.5, metal on wood 0.2-0.6, leather on wood 0.3-0.6; the
 values are from their upper ends. MuJoCo takes the larger coefficient of the two in contact.
@@ -412,7 +412,7 @@ class Category:
 
     def __post_init__(self) -> None:
         if self.material not in FRICTION:
-            raise InputError(f"{self.key} has the material {self.material!r}." + choices(
+            raise InputError(f"{self.key}: unknown material {self.material!r}." + choices(
                 self.material, FRICTION))  # fmt: skip
         if not self.noun:
             object.__setattr__(self, "noun", self.key.replace("_", " "))

@@ -379,4 +379,4 @@ def sweep(
 Point = tuple[float, float, float]
 
 Profile = Sequence[tuple[float, float]]
-"""(radius, z) points of an outside, in metres."""
+"""Points (radius, z) of the outer surface of a solid of revolution, in metres."""

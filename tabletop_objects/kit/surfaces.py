@@ -344,7 +344,7 @@ class Look:
         asked = rgb(self.attributes.get("color", ""))
         base = asked if asked is not None else rgb(choice)
         if base is None:
-            raise ValueError(f"{choice!r} is no colour word.")
+            raise ValueError(f"{choice!r} is not the name of a colour.")
         r, g, b = np.clip(np.array(base) + drift, 6, 250)
         return float(r), float(g), float(b)
 

@@ -168,8 +168,8 @@ class PolicyPlayer:
             if (seen, card.actions) != (shown, taken):
                 raise InputError(
                     f"The policy needs observations {seen} and actions of size {card.actions}; "
-                    f"the environment of its card has observations {shown} and actions of size "
-                    f"{taken}. Train it again with this version of the package."
+                    f"the environment with its settings has observations {shown} and actions of "
+                    f"size {taken}. Train it again with this version of the package."
                 )
         for name in ("observation_space", "action_space"):
             own, there = getattr(self.policy, name, None), getattr(env, name)

@@ -112,7 +112,7 @@ INERTIALS: dict[str, Inertial] = {
     "left_finger": Inertial(0.015, (0.0, 0.0, 0.0), (2.375e-6, 2.375e-6, 7.5e-7, 0.0, 0.0, 0.0)),
     "right_finger": Inertial(0.015, (0.0, 0.0, 0.0), (2.375e-6, 2.375e-6, 7.5e-7, 0.0, 0.0, 0.0)),
 }  # fmt: skip
-"""Values identified by Gaz et al. (2019); hand and fingers from Franka."""
+"""Inertial parameters of the links, identified by Gaz et al. (2019), and of the hand, by Franka."""
 
 
 @dataclass(frozen=True)
