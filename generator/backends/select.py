@@ -71,7 +71,7 @@ def check_names(default: str, roles: Mapping[str, Any]) -> None:
             raise BackendError(f"Unknown {role} {name!r}.{choices(name, able[role])}")
     lacking = [
         (
-            f"Backend {name!r} cannot be the {role}: it lacks {', '.join(_questions(role))}. "
+            f"Backend {name!r} has no {role} ({', '.join(_questions(role))}). "
             f"Choose another {role}. Available: {', '.join(sorted(able[role]))}."
         )
         for role, name in names.items()
