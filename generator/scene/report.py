@@ -16,7 +16,7 @@ MAX_LEAN = 45.0
 FailureKind = Literal[
     "overlap", "moved", "turned", "floats", "fell", "off-table", "diverged", "recorded"
 ]
-"""Kinds of gate failure; "recorded" is a sentence read from a bundle without measured values."""
+"""Kinds of gate failure; "recorded" means that the bundle describes it without measured values."""
 
 
 @dataclass(frozen=True)

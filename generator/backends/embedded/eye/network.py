@@ -25,7 +25,7 @@ STRIDE = 4
 """Picture pixels per cell of the dense maps."""
 
 REGIONS = ("background", "top", "legs", "thing")
-"""Classes of the channels of ``Maps.region``; "legs" is the table except its top surface."""
+"""Class of each channel of ``Maps.region``; "legs" is the whole table except its top surface."""
 
 CLOSEUP, CLOSE_ROOM = 128, 1.25
 """Size in pixels of the close-up for naming, and its width relative to the object's box."""
