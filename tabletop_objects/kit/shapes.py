@@ -21,7 +21,7 @@ from .solids import Profile, Solid
 from .surfaces import Look, Tile, plain
 
 ShapeFunction = Callable[[Look], "Shape"]
-"""Draws one variant of a category."""
+"""A function that draws one variant of a category."""
 
 P = ParamSpec("P")
 
@@ -203,7 +203,7 @@ def serve(
 
 
 Drawing = Callable[[Look], Pieces]
-"""Draws the pieces of one variant."""
+"""A function that draws the pieces of one variant of a category."""
 
 Bodies = int | Sequence[int] | None
 """The number of leading pieces that collide, or their indices; None stands for all."""

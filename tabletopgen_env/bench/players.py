@@ -32,7 +32,7 @@ OWN = frozenset({*keywords_of("observation"), *keywords_of("action"), "renderer"
 """Keyword arguments of the environment that a policy sets: its observations and actions."""
 
 OF_TRAINING = frozenset({"randomization", "reward", "certified", "cache", "masters", "infos"})
-"""Training settings of a policy that a suite overrides."""
+"""Environment settings that a suite sets, whatever a policy was trained with."""
 
 Act = Callable[[Any], Any]
 """A function that returns the action for an observation."""

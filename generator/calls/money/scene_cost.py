@@ -121,4 +121,4 @@ _FITS: Mapping[str, Callable[[Any], bool]] = MappingProxyType({
     "money": lambda value: value is None or is_number(value),
     "outcome": lambda value: value in get_args(Outcome),
 })  # fmt: skip
-"""A check for each value of a call."""
+"""Functions that check the values of a recorded call, by name."""

@@ -20,7 +20,7 @@ from ..results import MOST_EPISODES
 from ..suites import canonical_digest, read_payload
 
 SUFFIX = ".replayed"
-"""Suffix appended to a result's name to name its mark: "lift-test_expert.json.replayed"."""
+"""Suffix of the file name of a result's mark, as in "lift-test_expert.json.replayed"."""
 
 SCHEMA = 1
 """Version of the file format; other versions are rejected."""
