@@ -71,7 +71,7 @@ With other seeds the apple may be wider than the gripper, or a neighbour may be 
 """
 
 MOST_BYTES = 40 * 2**20
-"""Maximum total size of all bundles, bytes."""
+"""Maximum total size of all bundles, in bytes."""
 
 
 def make(folder: Path, recipes: Mapping[str, Recipe]) -> list[Path]:

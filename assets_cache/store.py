@@ -142,8 +142,9 @@ def clear(cache: str | Path | None = None) -> int:
                      - {p.name for p in found})  # fmt: skip
     if foreign or _ships(root):
         raise StorageError(
-            f"{root} does not contain only bundles: {foreign[:5] or 'the starters'}. "
-            "Nothing was removed. Remove bundles individually, or choose another folder."
+            f"{root} must contain only your own bundles, but contains "
+            f"{foreign[:5] or 'the shipped bundles'}. Nothing was removed. Remove bundles "
+            "individually, or choose another folder."
         )
     sweep(root)
     return sum(_discard(path) for path in found)

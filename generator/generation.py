@@ -23,7 +23,7 @@ STAGES = ("reference", "extraction", "view and sizes", "modeling", "rotation", "
           "refinement", "assembly")  # fmt: skip
 
 Ablation = Literal["dro", "tsa"]
-"""A stage that can be omitted (Sec. 4.3)."""
+"""A stage that can be omitted, as in the ablations of the paper (Sec. 4.3)."""
 
 
 @dataclass(frozen=True)

@@ -34,7 +34,7 @@ from .scene import (
 from .scene.provenance import plain, scene_name, versions
 
 Progress = Callable[[str, int, int], None]
-"""Called with the name and the number of the stage that starts, and the number of stages."""
+"""A callback at the start of a stage; receives its name, its number and the number of stages."""
 
 
 def generate(

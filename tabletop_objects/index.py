@@ -38,7 +38,9 @@ def declarations() -> dict[str, tuple[str, Category]]:
         module = ".".join(path.relative_to(root).with_suffix("").parts)
         for key, category in read_module(f"{OBJECTS}.{module}").items():
             if key in found:
-                raise ValueError(f"{key} is declared in {found[key][0]} and {module}.")
+                raise ValueError(
+                    f"{key} is declared in both {found[key][0]} and {module}; rename one of them."
+                )
             if category.themes[:1] != (path.parent.name,):
                 raise ValueError(
                     f"{key} in {module} must have {path.parent.name!r} as its first theme, got "

@@ -17,10 +17,10 @@ from jaxtyping import Float, Int, UInt8
 from .errors import InputError
 
 FARTHEST = 1000.0
-"""Maximum of all positions, sizes and distances in a scene, metres."""
+"""Maximum of all positions, sizes and distances in a scene, in metres."""
 
 SMALLEST = 1e-6
-"""Minimum extent of an object, metres."""
+"""Minimum extent of an object, in metres."""
 
 ArrayKind = tuple[type[np.generic], tuple[int | None, ...]]
 """The type and shape of an array; None stands for any length."""
@@ -54,9 +54,9 @@ def frozen_array(
         wanted = "×".join("n" if n is None else str(n) for n in shape)
         raise InputError(f"{what} must have shape {wanted}, got {array.shape}.")
     if array.dtype.kind == "f" and not np.isfinite(array).all():
-        raise InputError(f"{what} holds NaN or infinity; every number must be finite.")
+        raise InputError(f"{what} contains NaN or infinity; all numbers must be finite.")
     if maximum is not None and array.size and np.abs(array).max() > maximum:
-        raise InputError(f"{what} holds numbers beyond {maximum:g}: at most that is simulated.")
+        raise InputError(f"{what} must not contain numbers above {maximum:g} in magnitude.")
     array.setflags(write=False)
     return array
 
@@ -191,9 +191,13 @@ class Physics:
 
     def __post_init__(self) -> None:
         if not (0 < self.density < 3e4 and 0 < self.friction < 5):
-            raise InputError(f"Physics needs density in (0, 30000) and friction in (0, 5): {self}.")
+            raise InputError(
+                f"Physics must have density in (0, 30000) and friction in (0, 5), got {self}."
+            )
         if self.shell is not None and not 0 < self.shell < 1:
-            raise InputError(f"Physics.shell is a wall thickness in (0, 1) m, got {self.shell}.")
+            raise InputError(
+                f"Physics.shell must be a wall thickness in (0, 1) m, got {self.shell}."
+            )
 
 
 @dataclass(frozen=True, eq=False)
@@ -258,7 +262,7 @@ def parts_to_unit_box(
 Extent = tuple[float, float, float]
 
 Stance = Literal["edge", "end", "side"]
-"""On its edge like toast in a rack, on its end like a test tube, on its side like a wine bottle."""
+"""How a holder holds an object: on edge like toast, on end like a test tube, or on its side."""
 
 
 @dataclass(frozen=True)

@@ -21,32 +21,32 @@ from generator.geometry import convex_outline, hull_points, quaternion_matrix
 from generator.scene import ConvexPart, Object
 
 GRIPPER_OPENING = 0.08
-"""Maximum opening of the Franka hand, metres."""
+"""Maximum opening of the Franka hand, in metres."""
 
 FINGER_CLEARANCE = 0.006
-"""Total clearance on the two sides of an object between the open fingers, metres."""
+"""Total clearance on the two sides of an object between the open fingers, in metres."""
 
 WIDEST = GRIPPER_OPENING - FINGER_CLEARANCE
-"""Width of the widest object that the fingers can span, metres."""
+"""Width of the widest object that the fingers can span, in metres."""
 
 MAX_MASS = 1.5
-"""Largest mass to grasp by friction, kg (the arm's payload is 3 kg)."""
+"""Maximum mass, in kg, of an object that can be grasped by friction (the arm's payload is 3 kg)."""
 
 MIN_HEIGHT = 0.012
-"""Height of the flattest object that the fingers can pick up from a table top, metres."""
+"""Height of the flattest object that the fingers can pick up from a table top, in metres."""
 
 WALL_DEPTH = 0.015
-"""Minimum depth of a hollow that counts as an opening, metres."""
+"""Minimum depth of a hollow that counts as an opening, in metres."""
 
 THICKEST_WALL = 0.03
-"""Maximum thickness of a wall that can be grasped at its rim, metres."""
+"""Maximum thickness of a wall that can be grasped at its rim, in metres."""
 
 WIDEST_FLARE = 0.5
 """Maximum outward slope of a wall that can be grasped at its rim (metres per metre). A hand that
 points straight down slips off steeper slopes."""
 
 LEVEL = 0.003
-"""Maximum unevenness of a flat top, metres."""
+"""Maximum unevenness of a flat top, in metres."""
 
 _GRID = 48
 _FINE = 0.002  # metres, about the thickness of walls
@@ -130,16 +130,17 @@ def why_not_graspable(obj: Object, hollow: Opening | None) -> str | None:
         return None
     if hollow is not None and hollow.wall <= THICKEST_WALL and hollow.depth >= 2 * WALL_DEPTH:
         return None if hollow.flare <= WIDEST_FLARE else "its walls lean too far to be gripped"
-    return f"{100 * grasp_width(obj):.1f} cm is wider than the gripper's {100 * WIDEST:.1f} cm"
+    wide = f"it is {100 * grasp_width(obj):.1f} cm wide"
+    return f"{wide}, but the gripper spans only {100 * WIDEST:.1f} cm"
 
 
 def why_not_liftable(obj: Object) -> str | None:
     """Return why no grasp could lift the object, or None if one might."""
     if obj.mass > MAX_MASS:
-        return f"{obj.mass:.3g} kg is heavier than {MAX_MASS} kg"
+        return f"its mass of {obj.mass:.3g} kg exceeds {MAX_MASS} kg"
     height = resting_height(obj)
     if height < MIN_HEIGHT:
-        return f"{1000 * height:.0f} mm is flatter than {1000 * MIN_HEIGHT:.0f} mm"
+        return f"its height of {1000 * height:.0f} mm is less than {1000 * MIN_HEIGHT:.0f} mm"
     return None
 
 

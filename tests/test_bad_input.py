@@ -446,7 +446,7 @@ def test_bad_actions_are_refused_and_the_episode_goes_on(action: Any) -> None:
 def test_a_published_scene_with_nothing_graspable_says_why(store: Path) -> None:
     block = toy_object("block_1", (0.2, 0.2, 0.2), (0.0, 0.0))
     path = assets_cache.add(toy_scene((block,)), allow_failed=True)
-    with pytest.raises(SceneError, match="wider than the gripper"):
+    with pytest.raises(SceneError, match="but the gripper spans only"):
         make_env(path).reset(seed=0)
 
 

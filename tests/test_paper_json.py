@@ -71,5 +71,5 @@ def test_malformed_json_is_refused(broken: dict) -> None:
 def test_rotations_are_numbers(degrees: object) -> None:
     with pytest.raises(InputError, match="The rotation of"):
         from_paper({**FIG_12, "box_9": degrees}, FIG_14)  # type: ignore[dict-item]
-    with pytest.raises(InputError, match="Rotations are"):
+    with pytest.raises(InputError, match="Rotations must be"):
         from_paper([degrees], FIG_14)  # type: ignore[arg-type]

@@ -50,7 +50,7 @@ def test_what_is_written_is_read_back(segments: Segments) -> None:
 
 def test_more_colours_than_names_are_refused(segments: Segments) -> None:
     entries, raw = encode_segments(segments)
-    with pytest.raises(BundleError, match="do not match"):
+    with pytest.raises(BundleError, match="does not match"):
         decode_segments(entries[:2], raw)
     with pytest.raises(BundleError, match="must be a string"):
         decode_segments([{"name": 3, "label": "x"}], raw)

@@ -18,7 +18,7 @@ from ..errors import BackendError
 T = TypeVar("T")
 
 MODELS = "TABLETOPGEN_MODELS"
-"""Environment variable that sets the models' folder; a Hugging Face cache (``hub``) will do."""
+"""Environment variable that sets the folder of models, such as a Hugging Face cache (``hub``)."""
 
 
 def module(name: str, backend: str, how: str) -> ModuleType:

@@ -97,7 +97,10 @@ def decode_obj(
     faces -= 1
     inside = faces.min() >= 0 and faces.max() < len(vertices)
     if len(vertices) < 4 or len(uv) != len(vertices) or not inside:
-        raise BundleError(f"{name} is not a mesh: its triangles and vertices do not match.")
+        raise BundleError(
+            f"{name} is not a mesh: it must have at least 4 vertices, each with texture "
+            "coordinates, and faces that refer to these vertices."
+        )
     if areas(vertices, faces).sum() < _LEAST_AREA:
         raise BundleError(f"{name} has no surface: its triangles have almost no area.")
     return vertices, faces, uv

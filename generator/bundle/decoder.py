@@ -77,7 +77,9 @@ def decode_scene(payload: Mapping[str, Any], file: Callable[[str], bytes]) -> De
     _check_models(models, bodies)
     for thing in objects:
         if thing["placement"].name != thing["name"]:
-            raise BundleError(f"The placement of {thing['name'][:80]!r} is another object's.")
+            raise BundleError(
+                f"The placement of {thing['name'][:80]!r} has the name of another object."
+            )
     looks = {
         key: (model["mesh"], model.pop("texture"), model.pop("opacity"))
         for key, model in models.items()
@@ -145,7 +147,9 @@ def _meshes(
     for path_of, contents in ((mesh_path, shapes), (texture_path, pictures)):
         for name, raw in contents.items():
             if path_of(raw) != name:
-                raise BundleError(f"{name[:200]!r} does not match the digest of its content.")
+                raise BundleError(
+                    f"The file name {name[:200]!r} does not match the digest of the file's content."
+                )
     surfaces = {name: decode_obj(raw, name) for name, raw in shapes.items()}
     meshes: dict[_Looks, Mesh] = {}
     for name, raw in pictures.items():

@@ -59,7 +59,9 @@ def _convert(kind: Any, value: Any, what: str) -> Any:
         return None if value is None and type(None) in inner else _convert(plain, value, what)
     if origin is Literal:
         if not any(type(value) is type(known) and value == known for known in inner):
-            raise BundleError(f"{what} is {repr(value)[:80]}; known: {', '.join(map(str, inner))}.")
+            raise BundleError(
+                f"{what} must be one of {', '.join(map(str, inner))}, got {repr(value)[:80]}."
+            )
         return value
     if origin is tuple:
         return _tuple(inner, value, what)

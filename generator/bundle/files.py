@@ -46,6 +46,6 @@ def copy(path: str | Path, folder: str | Path) -> Path:
         return publish(Path(folder), source.resolve().name, files, beside=BESIDE)
     except OSError as error:
         raise StorageError(
-            f"{source.name} cannot be copied to {folder}: {error.strerror or error}. Free space "
-            "there, or choose another folder."
+            f"{source.name} cannot be copied to {folder}: {error.strerror or error}. Free disk "
+            "space, or choose another folder."
         ) from error

@@ -270,7 +270,7 @@ def _read_segments(folder: Path, payload: dict[str, Any]) -> Segments | None:
     if "instances" not in payload:
         return None
     if SEGMENTS_PATH not in payload["files"]:
-        raise BundleError(f"{folder} lists instances, but no {SEGMENTS_PATH}.")
+        raise BundleError(f"{folder}: scene.json has instances, but does not list {SEGMENTS_PATH}.")
     raw = read_listed(folder, SEGMENTS_PATH, payload["files"][SEGMENTS_PATH])
     return decode_segments(payload["instances"], raw)
 
@@ -351,8 +351,8 @@ def read_inside(
             if not stat.S_ISREG(status.st_mode):
                 raise error(f"{folder}: {name} is not a regular file.")
             if status.st_size > limit:
-                wanted = f"not {limit}" if kind == "bundle" else f"at most {limit} are allowed"
-                raise error(f"{folder}: {name} has {status.st_size} bytes, {wanted}.")
+                wanted = f", not {limit}" if kind == "bundle" else f"; at most {limit} are allowed"
+                raise error(f"{folder}: {name} has {status.st_size} bytes{wanted}.")
             with open(descriptor, "rb", closefd=False) as file:
                 return file.read(limit + 1)
     except FileNotFoundError as failure:

@@ -97,7 +97,7 @@ def decode_segments(entries: Any, raw: bytes) -> Segments:
         )
         return Segments(names, labels, index)
     except (InputError, TypeError, KeyError) as error:
-        raise BundleError(f"{PATH} and its names do not match ({error}).") from error
+        raise BundleError(f"{PATH} does not match the list of instances ({error}).") from error
 
 
 def _palette(index: int) -> tuple[int, int, int]:

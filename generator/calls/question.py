@@ -75,7 +75,7 @@ class Usage:
 
 
 NOTHING = Usage()
-"""The usage of an answer that reports none."""
+"""The usage that is recorded for an answer without usage data."""
 
 
 def question(request: httpx2.Request, server: str, prices: Prices) -> Question:

@@ -27,7 +27,7 @@ from ..io.bounded import parse_object, read_regular
 from ..io.files import make_private, remove_file
 
 MOST_ANSWER_BYTES = 257 * 2**20
-"""Maximum size of a stored answer, which exceeds the largest response that is read."""
+"""Maximum size in bytes of a stored answer; it exceeds that of any response that is read."""
 
 _MOST_BYTES = 4 * 2**30  # default size of a store
 _MAGIC = b"tabletopgen call 1"
@@ -161,7 +161,9 @@ class CallStore:
 
     def _path(self, key: str) -> Path:
         if not _KEY.fullmatch(key):
-            raise StorageError(f"A key must be a sha256 of 64 hexadecimal digits, got {key!r}.")
+            raise StorageError(
+                f"A key must be a SHA-256 digest of 64 hexadecimal digits, got {key!r}."
+            )
         return self.folder / "answers" / key[:2] / key
 
     def _write(self, path: Path, raw: bytes) -> None:

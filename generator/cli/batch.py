@@ -74,7 +74,8 @@ def batch(
         make = batches.Generating(mix, calls=str(folder), prices=calls.table())
     elif mix != USUAL or calls.budget is not None or calls.dry_run:
         raise InputError(
-            "--route compose uses no backends; remove --backend, the roles, --budget and --dry-run."
+            "--route compose uses no backends; remove --backend, the options of single roles, "
+            "--budget and --dry-run."
         )
     if calls.budget is not None:
         require_number("--budget", calls.budget, minimum=0)

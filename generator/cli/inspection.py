@@ -120,7 +120,7 @@ def _verifiers(count: int, seed: int) -> Iterator[Verifier]:
 
 
 Verifier = Callable[[Path], tuple[int, Sequence[object]]]
-"""Replays a bundle's episodes; returns their number and a list of problems."""
+"""A function that replays a bundle's episodes and returns their number and a list of problems."""
 
 
 @dataclasses.dataclass(frozen=True)

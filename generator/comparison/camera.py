@@ -16,10 +16,11 @@ _EVEN = 0.01
 """Outlier threshold of a box edge, as a fraction of the picture's diagonal."""
 
 _FAR = 5.0
-"""Mean error of the box edges, in outlier thresholds, above which closer starts are tried."""
+"""Mean error of the box edges, relative to the outlier threshold, above which the fit is repeated
+from positions closer to the scene."""
 
 _NEARER = (0.3, 0.6, 1.0)
-"""Logarithmic depth steps of the closer starts."""
+"""Logarithms of the factors by which those positions are closer."""
 
 
 def picture_camera(scene: Scene, segments: Segments) -> Camera:

@@ -38,7 +38,7 @@ ATTEMPTS = 4
 """Number of positions to try."""
 
 ASIDE = 0.02
-"""Displacement, metres, above which a warning says that the exact position was not free."""
+"""Displacement, in metres, above which a warning says that the exact position was not free."""
 
 LONG = 1.3
 """Ratio of length to width above which an object has a visible lengthwise direction."""

@@ -57,7 +57,7 @@ class StillnessRule:
 
 
 PLAIN = StillnessRule()
-"""The plain rule: 5 s, 5 mm, 2 degrees."""
+"""The plain rule: an object may move by at most 5 mm and turn by at most 2 degrees in 5 s."""
 
 VARIANTS: Mapping[str, StillnessRule] = MappingProxyType(
     {"plain": PLAIN}
@@ -70,8 +70,7 @@ VARIANTS: Mapping[str, StillnessRule] = MappingProxyType(
 """The plain rule, and variants with other time steps or with gravity tilted by 2 degrees.
 
 Gravity is tilted towards each of four sides. Round objects must also remain still: their rolling
-resistance (``physics.mjcf.FLAT_SPOT``) holds them up to about six degrees. Beyond that, they roll
-away.
+resistance (``physics.mjcf.FLAT_SPOT``) keeps them in place on slopes of up to about six degrees.
 """
 
 

@@ -36,7 +36,7 @@ DRAKE: Mapping[str, str] = MappingProxyType({"xmlns:drake": "http://drake.mit.ed
 """Document attribute that declares Drake's tags."""
 
 HYDROELASTIC_MODULUS = 1e7
-"""Pressure at the centre of a body in Drake, Pa: a 0.5 kg plate sinks in by a micrometre."""
+"""Pressure in Pa at the centre of a body in Drake: a 0.5 kg plate sinks in by a micrometre."""
 
 _SHARE = 0.25  # edge length of a round piece's hydroelastic mesh, relative to its radius
 _REACH = 0.55  # minimum coefficient of the table in Drake, relative to the largest one

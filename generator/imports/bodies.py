@@ -164,7 +164,7 @@ def _check_side(body: ForeignBody, what: str, least: float, most: float) -> None
     side = _longest(np.ptp(body.surface.vertices @ body.rotation.T, axis=0))
     if not least <= side.length <= most:
         raise InputError(
-            f"{what} is {side}{side.hint()}; its longest side must be in [{least:g}, {most:g}] m."
+            f"{what} is {side}{side.hint()}; the longest side must be in [{least:g}, {most:g}] m."
         )
     far = float(np.abs(body.position).max() + np.abs(body.surface.vertices).max())
     if far > LARGEST:

@@ -22,10 +22,10 @@ from ..physics.inertia import MassProperties
 from ..scene import ConvexPart
 
 DENSITY = (1.0, 29_000.0)
-"""Minimum and maximum density of materials, kg/m³."""
+"""Minimum and maximum density of materials, in kg/m³."""
 
 LARGEST = 100.0
-"""Maximum size of a body of a foreign scene, and maximum distance from its table, metres."""
+"""Maximum size of a body of a foreign scene, and maximum distance from its table, in metres."""
 
 OutcomeKind = Literal["taken", "repaired", "hull", "refused", "left out"]
 """Outcomes of an object's import: "hull" means that it collides as its convex hull, "left out" that

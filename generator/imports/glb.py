@@ -112,7 +112,7 @@ def _arrange(
         fixed[called[0].name] = called[0]
     chosen = table or next((n for n in fixed if TABLE_WORDS.search(n)), next(iter(fixed)))
     if not bodies:
-        raise InputError("The scene has a table but no free body.")
+        raise InputError("The scene has a table, but no free body that could stand on it.")
     others = sorted(fixed.keys() - {chosen})
     told = (f"fixed objects are ignored: {', '.join(others[:8])}",) if others else ()
     return ForeignScene(name, fixed[chosen], tuple(bodies), told)

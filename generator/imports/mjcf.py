@@ -40,7 +40,7 @@ if TYPE_CHECKING:
 
 
 TABLE_WORDS = re.compile(r"table|desk|bench|counter|island|worktop", re.IGNORECASE)
-"""Words that suggest that a name is a table's."""
+"""Pattern of names that suggest a table."""
 
 _KINDS: dict[int, Solid] = {3: "capsule", 2: "ellipsoid", 4: "ellipsoid", 5: "cylinder", 6: "box"}
 _PLANE, _MESH = 0, 7  # of mjtGeom

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     CompileModel = Callable[[GatheredModel, str], mujoco.MjModel]
 
 MAX_REFUSED = 20
-"""Maximum number of bodies left out because MuJoCo rejects them; beyond it, the file is refused."""
+"""Maximum number of bodies left out because MuJoCo rejects them; with more, the import fails."""
 
 
 def free_bodies(gathered: GatheredModel) -> list[str]:

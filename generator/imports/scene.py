@@ -92,8 +92,8 @@ class _Shapes:
         points = self._points + sum(len(part.vertices) for some in lists for part in some)
         if parts > BOUNDS.all_parts or points > BOUNDS.all_part_vertices:
             raise InputError(
-                f"With its collision shapes the scene has {parts} convex parts with {points} "
-                f"points, including those of models; at most {BOUNDS.all_parts} with "
+                f"The models and collision shapes of the scene have {parts} convex parts with "
+                f"{points} points in total; at most {BOUNDS.all_parts} with "
                 f"{BOUNDS.all_part_vertices} are allowed. Use fewer shapes, or fewer objects."
             )
         return parts, points
@@ -126,7 +126,8 @@ def list_outcomes(scene: Scene) -> tuple[ImportOutcome, ...]:
     what = f"{scene.name}: provenance.config[{_OUTCOMES!r}]"
     if not isinstance(listed, list | tuple) or len(listed) > _MOST_OUTCOMES:
         raise BundleError(
-            f"{what} is not a list of at most {_MOST_OUTCOMES} outcomes. Import the scene again."
+            f"{what} must be a list of at most {_MOST_OUTCOMES} outcomes of objects. Import the "
+            "scene again."
         )
     entries = enumerate(cast("Sequence[object]", listed))
     return tuple(ImportOutcome(**arguments(ImportOutcome, o, f"{what}[{k}]")) for k, o in entries)

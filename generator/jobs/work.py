@@ -84,7 +84,7 @@ class Generating:
             require(self, "budget", minimum=0)
             if self.shared_budget is None:
                 raise InputError(
-                    "Generating requires one budget for all its processes. Pass "
+                    "The processes of a batch must share one budget. Pass "
                     "shared_budget=shared_budget(FOLDER) with the batch's folder."
                 )
 
@@ -128,9 +128,9 @@ class Generating:
         roles = [role for role in expected if here.get(role) != expected[role]]
         if roles:
             raise BackendError(
-                f"{' and '.join(roles)} would differ from the machine where the batch was "
+                "This machine would use other backends than the machine where the batch was "
                 "started: "
-                f"{', '.join(f'{here.get(r)} instead of {expected[r]}' for r in roles)}. Set "
+                f"{', '.join(f'{r} {here.get(r)} instead of {expected[r]}' for r in roles)}. Set "
                 "the same environment variables on all machines."
             )
 

@@ -121,8 +121,8 @@ class Reading:
         """
         if len(self.objects) >= MAX_OBJECTS:
             raise InputError(
-                f"The text describes more than {MAX_OBJECTS} objects, the maximum of a table. Use "
-                "fewer."
+                f"The prompt describes more than {MAX_OBJECTS} objects, the maximum of a table. "
+                "Use fewer."
             )
         kept = {k: v for k, v in attributes.items() if k != "stack"}
         self.objects.append(

@@ -13,7 +13,7 @@ from .vocabulary import COLORS, LEGS, OUTLINES, SHADES, SIZES, TABLE_MATERIALS
 
 _FACTORS = {"tiny": 0.75, "small": 0.85, "large": 1.2, "huge": 1.35}
 _LIMITS = ("long", 0.4, 2.4), ("deep", 0.35, 2.0), ("high", 0.25, 1.2)
-"""Minimum and maximum length, depth and height of a table, metres."""
+"""Minimum and maximum length, depth and height of a table, in metres."""
 _BOARDS = ("oak", "pine", "walnut")  # materials that slats can have
 _DEFAULT = Theme(
     (), ("rectangle",), ("oak", "walnut", "pine", "beech", "white"), (1.2, 0.7, 0.74), ()

@@ -26,12 +26,12 @@ from .vessel_sizes import grow_carriers
 from .words.dictionary import warn_of_stand_ins
 
 _OWN = 3
-"""Number of kinds of object from which a text is assumed to describe a complete table."""
+"""Minimum number of kinds of objects in a prompt that is assumed to describe a complete table."""
 
 _FULL: Mapping[Density, tuple[int, int]] = MappingProxyType(
     {"sparse": (3, 4), "normal": (5, 7), "dense": (10, 13)}
 )
-"""Minimum and maximum number of objects for a text that gives only a theme."""
+"""Minimum and maximum number of objects for a prompt that only states a theme."""
 
 
 def plan_scene(prompt: str, seed: int, density: Density | None = None) -> ScenePlan:
@@ -94,7 +94,7 @@ def _check_bare(reading: Reading, objects: Sequence[PlannedObject]) -> None:
     bare = any({"empty", "bare"} & set(noun.words) for noun in reading.table)
     if not objects and (reading.objects or bare):
         raise InputError(
-            "The text leaves nothing on the table; a scene needs at least one object. Name one, "
+            "The prompt leaves nothing on the table; a scene needs at least one object. Name one, "
             f"for example {EXAMPLE}."
         )
 
@@ -116,7 +116,7 @@ def _setting(
     games = len(own) > 1 and not food  # "a meeting for five with notebooks and pens"
     if not name and not reading.laid and (games or len(own) >= _OWN):
         reading.warnings.append(
-            f"No places are laid for {people} people because the text does not describe a meal."
+            f"No places are laid for {people} people because the prompt does not describe a meal."
         )
         return None
     return setting_of(THEMES["dining"], objects, people)

@@ -39,7 +39,7 @@ from .words.foreign import is_foreign
 from .words.spelling import correct
 
 MAX_CHARACTERS = 2000
-"""Maximum length of a text, in characters."""
+"""Maximum length of a prompt, in characters."""
 
 NOT_UNDERSTOOD = "Not understood: "
 """Start of every warning about a phrase that was not understood."""
@@ -49,7 +49,7 @@ OTHER_LANGUAGE = (
     "or let a cloud reasoner plan it: 'tabletopgen generate TEXT --reasoner cloud', in Python "
     "Backends.select(reasoner='cloud')."
 )
-"""Error message for a text in a language other than English."""
+"""Error message for a prompt in a language other than English."""
 
 EXAMPLE = "'a laptop, a red mug to the right of it and two books on a wooden desk'"
 _ENGLISH = VERBS | FILLERS | DEFINITE | STATES | COLORS | MATERIALS | PLACES | {
@@ -137,7 +137,7 @@ def check_text(prompt: str) -> None:
     if not isinstance(prompt, str):
         raise InputError(f"Expected a prompt or a ScenePlan, got {type(prompt).__name__}.")
     if not prompt.strip():
-        raise InputError(f"The text is empty. Describe a tabletop, for example {EXAMPLE}.")
+        raise InputError(f"The prompt is empty. Describe a tabletop, for example {EXAMPLE}.")
     if len(prompt) > MAX_CHARACTERS:
         raise InputError(
             f"The prompt has {len(prompt)} characters; at most {MAX_CHARACTERS} are allowed. "

@@ -105,7 +105,7 @@ def _check_circles(objects: Sequence[PlannedObject]) -> None:
         for relation in planned.relations:
             a, b = planned.name, relation.target
             if a == b:
-                raise InputError(f"The text places the {planned.noun} relative to itself.")
+                raise InputError(f"The prompt places the {planned.noun} relative to itself.")
             if relation.kind in _SUPPORTED and b != TABLE:
                 supports.setdefault(a, set()).add(b)
             elif relation.kind in OPPOSITE and b != TABLE:
@@ -114,7 +114,7 @@ def _check_circles(objects: Sequence[PlannedObject]) -> None:
                 graph.setdefault(first, set()).add(last)
         if len(supports.get(planned.name, ())) > 1:
             raise InputError(
-                f"The text puts one {planned.noun} on or in two things at once; name only one."
+                f"The prompt puts one {planned.noun} on or in two objects at once; name only one."
             )
     for graph, what in ((supports, "on"), (lefts, "left of"), (fronts, "in front of")):
         circle = _circle(graph)

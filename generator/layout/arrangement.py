@@ -105,7 +105,7 @@ def arrange_more(
 
 
 BROKEN = 1.5
-"""Cost (see ``scores.violation``) at or above which a relation does not hold."""
+"""Cost (see ``scores.violation``) at or above which a relation counts as violated."""
 
 
 def unmet_relations(

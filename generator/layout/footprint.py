@@ -12,7 +12,7 @@ from ..geometry import convex_outline, rotation_z
 from ..scene import Model
 
 COUNT = 48
-"""Number of directions in which a footprint's reach is stored."""
+"""Number of directions along which a footprint's extent is stored."""
 
 _ANGLES = 2 * np.pi * np.arange(COUNT) / COUNT
 DIRECTIONS: Float[np.ndarray, "d 2"] = np.column_stack([np.cos(_ANGLES), np.sin(_ANGLES)])

@@ -37,7 +37,7 @@ from .scores import SIDES, table_sides
 from .seats import seats
 
 NEAR = 0.15
-"""Maximum gap between two objects that count as next to each other, metres."""
+"""Maximum gap between two objects that count as next to each other, in metres."""
 
 _TOUCH = 1e-3  # maximum distance between touching objects, metres
 _EDGE = 0.12  # maximum distance from the rim of an object that counts as at the edge, metres

@@ -19,9 +19,9 @@ from .seats import seat_center
 from .units import Unit
 
 MARGIN = 0.02
-"""Minimum distance between a footprint and the table's edge, metres."""
+"""Minimum distance between a footprint and the table's edge, in metres."""
 GAP = 0.014
-"""Minimum gap between two footprints, metres."""
+"""Minimum gap between two footprints, in metres."""
 
 
 @dataclass(eq=False)
@@ -118,7 +118,7 @@ def _put_in_slot(
 
 
 _TURNS = (0.0, np.pi / 3, -np.pi / 3, np.pi / 2)
-"""Alternative yaws of an object in a vessel, radians."""
+"""Alternative yaws of an object in a vessel, in radians."""
 
 
 def _is_long(model: Model) -> bool:
@@ -132,7 +132,7 @@ _SLENDER = 2.5
 """Ratio of height to width above which upright objects in a vessel may stand close together."""
 
 _BESIDE = 0.02
-"""Cost of violating a relation to an object on the same support, metres of height."""
+"""Cost of violating a relation to an object on the same support, in metres of height."""
 
 _OVERHANG = 0.35
 """Maximum fraction of an object's underside that may overhang its support."""

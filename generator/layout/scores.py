@@ -17,7 +17,7 @@ SIDES: Mapping[str, tuple[int, int, tuple[float, float]]] = {
     "behind": (BACK, FRONT, (0.0, 1.0)),
     "in_front_of": (FRONT, BACK, (0.0, -1.0)),
 }
-"""Relation kinds: direction indices of target and object, and the direction vector."""
+"""For each kind of relation, the direction indices of target and object, and the direction."""
 
 _RELATED, _FREE = 120, 120  # numbers of candidates: proposed by relations, and all over the table
 _SPACING: Mapping[Density, float] = {"sparse": 2.0, "normal": 1.0, "dense": 0.5}

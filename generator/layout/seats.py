@@ -10,10 +10,10 @@ from jaxtyping import Float
 from .footprint import DIRECTIONS, Footprint
 
 MARGIN = 0.025
-"""Distance between a place setting and the table's edge, metres."""
+"""Distance between a place setting and the table's edge, in metres."""
 
 WIDTH = 0.52
-"""Length of table edge per person, metres."""
+"""Length of table edge per person, in metres."""
 
 _LONG = 1.35  # ratio of length to depth above which a table for four has no seats at its ends
 

@@ -21,7 +21,7 @@ from .heaps import Pile, pile_heap, pile_pyramid
 from .seats import Seat, seats
 
 SPACING = 0.02
-"""Gap between neighbours in a unit, metres; larger than the minimum gap between footprints."""
+"""Gap between neighbours in a unit, in metres; larger than the minimum gap between footprints."""
 
 _GAP = 0.016  # gap between the objects of a place setting, metres
 

@@ -27,9 +27,9 @@ def pose_guesser(reasoner: Reasoner) -> PoseGuesser:
     questions = ("guess_rotations", "guess_layout")
     missing = [q for q in questions if not callable(getattr(reasoner, q, None))]
     raise BackendError(
-        f"{type(reasoner).__name__} does not implement {' and '.join(missing)}, which the "
-        "ablations of DRO and TSA need. Implement generator.backends.protocols.PoseGuesser, or "
-        "disable the ablations."
+        f"{type(reasoner).__name__} does not implement {' and '.join(missing)}, which replace the "
+        "stages 'dro' (rotation) and 'tsa' (alignment). Implement "
+        "generator.backends.protocols.PoseGuesser, or do not omit these stages."
     )
 
 

@@ -278,7 +278,7 @@ def check_index(category: Category, source: Path, index: Path = INDEX) -> CheckR
     current = row is not None and row == json.loads(json.dumps(row_of(module, category)))
     state = "current" if current else "missing" if row is None else "out of date"
     advice = "" if current else f"; run: {INDEX_COMMAND}"
-    return CheckResult("index", current, f"the row is {state}{advice}")
+    return CheckResult("index", current, f"the object's row is {state}{advice}")
 
 
 @cache
@@ -358,7 +358,7 @@ def fingerprint(model: Model) -> str:
 
 
 MASS = 0.2
-"""Mass of a free body, kg; the motion of a uniform solid does not depend on it."""
+"""Mass of a free body, in kg; the motion of a uniform solid does not depend on it."""
 
 STEPS = 500
 """Number of time steps, each of 2 ms."""

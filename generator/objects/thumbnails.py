@@ -19,7 +19,7 @@ from .facts import select, themes
 from .pictures import lay_out, portrait
 
 SIDE = 112
-"""Width and height of a thumbnail, pixels."""
+"""Width and height of a thumbnail, in pixels."""
 
 COLUMNS = 13
 """Number of thumbnails per row of a sprite or a sheet."""

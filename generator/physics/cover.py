@@ -30,7 +30,7 @@ from .mjcf import primitive_kind
 Points = Float[np.ndarray, "n 3"]
 
 TOLERANCE = 2.5e-4
-"""Maximum distance of a vertex from the parts, metres: half the depth of a visible overlap."""
+"""Maximum distance of a vertex from the parts, in metres: half the depth of a visible overlap."""
 
 _REACH = 6e-3  # maximum growth of a part, metres; points farther away get additional hulls
 _ROUNDS = 8  # maximum number of growth rounds per hull

@@ -22,7 +22,7 @@ from .parts import base
 from .simulation import Simulation
 
 TOLERANCE = 2e-4
-"""Maximum depth of an overlap, metres, that counts as contact."""
+"""Maximum depth of an overlap, in metres, that counts as contact."""
 
 _PATIENCE = 6  # number of rounds without progress before giving up
 _STIFFNESS = 1e4  # cost of a square metre of violated cuts, in square metres of displacement

@@ -30,7 +30,7 @@ States = Float[np.ndarray, "n 7"]
 """Position (metres) and quaternion of each object."""
 
 Motion = Float[np.ndarray, "n 2"]
-"""Displacement and rotation of each object, metres and radians."""
+"""Displacement and rotation of each object, in metres and radians."""
 
 
 @dataclass(frozen=True, eq=False)

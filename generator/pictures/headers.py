@@ -169,9 +169,9 @@ def _jpeg(raw: bytes) -> PictureHeader:
             ending = _IN_SCAN.search(raw, at)
             at = ending.start() if ending else len(raw)
     else:
-        raise DamagedHeader(f"it has more than {_SEGMENTS} segments, {scans} of them scans")
+        raise DamagedHeader(f"it has more than {_SEGMENTS} segments, {scans} of which are scans")
     if size is None:
-        raise DamagedHeader("it has no size")
+        raise DamagedHeader("its size is missing")
     return PictureHeader("JPEG", *size, 1, max(1, scans))
 
 
@@ -235,7 +235,7 @@ def _tiff(raw: bytes) -> PictureHeader:
 def _first_size(raw: bytes, at: int, order: str, big: bool) -> tuple[int, int]:
     """Return the width and height of the first TIFF frame, whose directory is at offset ``at``."""
     if at >= len(raw):
-        raise DamagedHeader("its tags are outside the file")
+        raise DamagedHeader("its first directory is outside the file")
     head, entry, value = (order + "Q", 20, 12) if big else (order + "H", 12, 8)
     (count,) = struct.unpack_from(head, raw, at)
     first = at + struct.calcsize(head)
@@ -246,7 +246,7 @@ def _first_size(raw: bytes, at: int, order: str, big: bool) -> tuple[int, int]:
         if tag in (_WIDTH, _HEIGHT) and kind in _TIFF_TYPES:
             (found[tag],) = struct.unpack_from(order + _TIFF_TYPES[kind], raw, place + value)
     if len(found) < 2:
-        raise DamagedHeader("it has no size")
+        raise DamagedHeader("its size is missing")
     return found[_WIDTH], found[_HEIGHT]
 
 

@@ -12,7 +12,7 @@ from ..geometry import mask_box
 from ..scene import Instance
 
 MARGIN = 0.05
-"""Empty border of a tight crop, as a fraction of its side, so that contours are fully inside."""
+"""Width of the empty border around the object in a tight crop, as a fraction of the crop's side."""
 
 _SAMPLES = 4  # samples per pixel along each axis
 

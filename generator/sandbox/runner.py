@@ -22,8 +22,8 @@ from .serialization import class_name, pack, unpack
 
 Breach = Literal["time", "memory", "output", "hung", "killed", "crash", "cancelled", "parser"]
 """The reason why a child returned nothing: it reached a limit, was killed from outside (such as by
-a kernel that runs out of memory), died, was cancelled, or a parser raised its own exception. It
-never depends on the text of an error.
+a kernel that runs out of memory), died, was cancelled, or a parser raised its own exception. The
+reason is never derived from an error message.
 """
 
 NO_MEMORY = 77
@@ -129,7 +129,7 @@ def _result(raw: bytes | memoryview, returns: Iterable[type], budget: CpuBudget)
 
     def find_class(name: str) -> type:
         if name not in expected:
-            raise ValueError(f"the class {name!r} is not expected")
+            raise ValueError(f"the class {name!r} is not one of the expected classes")
         return expected[name]
 
     try:

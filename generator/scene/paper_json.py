@@ -38,7 +38,7 @@ def from_paper(
     objects = None if answer is None else _mapping(answer.get("objects", {}))
     if given is None or answer is None or objects is None:
         raise InputError(
-            'Rotations are {name: degrees}, alignments {"objects": {name: {"scale", '
+            'Rotations must be {name: degrees}, and alignments {"objects": {name: {"scale", '
             '"translation"}}}.'
         )
     yaws = {_plain(name): degrees for name, degrees in given.items()}

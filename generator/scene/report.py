@@ -11,12 +11,12 @@ from .plan import RelationKind
 from .provenance import plain
 
 MAX_LEAN = 45.0
-"""Tilt of gravity in the physical gate, degrees."""
+"""Tilt of gravity in the physical gate, in degrees."""
 
 FailureKind = Literal[
     "overlap", "moved", "turned", "floats", "fell", "off-table", "diverged", "recorded"
 ]
-"""Kinds of gate failure; "recorded" is a sentence read from a bundle without measured values."""
+"""Kinds of gate failure; "recorded" means that the bundle describes it without measured values."""
 
 
 @dataclass(frozen=True)

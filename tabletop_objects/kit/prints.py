@@ -109,7 +109,7 @@ PALETTES: tuple[tuple[RGB, ...], ...] = (
     ((232, 232, 230), (24, 24, 28), (200, 40, 40), (120, 122, 128), (250, 250, 248)),
     ((220, 232, 238), (36, 96, 150), (80, 160, 196), (246, 246, 240), (230, 150, 60)),
 )
-"""Colours that go together: the ground first."""
+"""Combinations of colours; the first of each is the background."""
 
 
 def landscape(rng: np.random.Generator, width: int = 192, height: int = 128) -> Tile:
@@ -374,7 +374,7 @@ def _map(image: Canvas, rng: np.random.Generator) -> None:
 
 
 FRONT = (0.3, 0.7)
-"""The part of a wrap-round label that faces the viewer, in u."""
+"""Range of the texture coordinate u in which a wrap-around label faces the viewer."""
 
 
 def label(

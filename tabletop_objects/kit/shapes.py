@@ -21,7 +21,7 @@ from .solids import Profile, Solid
 from .surfaces import Look, Tile, plain
 
 ShapeFunction = Callable[[Look], "Shape"]
-"""Draws one variant of a category."""
+"""A function that draws one variant of a category."""
 
 P = ParamSpec("P")
 
@@ -32,7 +32,7 @@ FRICTION: Mapping[str, float] = MappingProxyType(
         "rubber": 0.85,
     }
 )  # fmt: skip
-"""Sliding friction by material on a plain wooden top; "device" is a case on rubber feet.
+"""Sliding friction by material on a plain wooden tabletop; "device" is a case on rubber feet.
 
 Handbook ranges are wood on wood 0.25-0.5, metal on wood 0.2-0.6, leather on wood 0.3-0.6; the
 values are from their upper ends. MuJoCo takes the larger coefficient of the two in contact.
@@ -203,7 +203,7 @@ def serve(
 
 
 Drawing = Callable[[Look], Pieces]
-"""Draws the pieces of one variant."""
+"""A function that draws the pieces of one variant of a category."""
 
 Bodies = int | Sequence[int] | None
 """The number of leading pieces that collide, or their indices; None stands for all."""
@@ -412,7 +412,7 @@ class Category:
 
     def __post_init__(self) -> None:
         if self.material not in FRICTION:
-            raise InputError(f"{self.key} has the material {self.material!r}." + choices(
+            raise InputError(f"{self.key}: unknown material {self.material!r}." + choices(
                 self.material, FRICTION))  # fmt: skip
         if not self.noun:
             object.__setattr__(self, "noun", self.key.replace("_", " "))

@@ -20,7 +20,7 @@ from ..values import frozen_array
 from .outlines import ellipse, inset, lift, rectangle
 
 SHARP = np.deg2rad(38.0)
-"""At an edge sharper than this angle, each side has its own vertices."""
+"""Angle between two faces, in radians, above which they do not share the vertices of their edge."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -379,4 +379,4 @@ def sweep(
 Point = tuple[float, float, float]
 
 Profile = Sequence[tuple[float, float]]
-"""(radius, z) points of an outside, metres."""
+"""Points (radius, z) of the outer surface of a solid of revolution, in metres."""

@@ -22,22 +22,24 @@ MAX_FACES = 4800
 """Maximum number of faces of a styled shape."""
 
 THICKER = 0.005
-"""How far a cartoon's surfaces move outwards, relative to the object's longest side."""
+"""Distance by which the cartoon style moves surfaces outwards, relative to the longest side."""
 
 ROUNDER = 0.035
-"""How far a cartoon's edges may be rounded off, relative to the object's longest side."""
+"""Maximum radius by which the cartoon style rounds edges, relative to the longest side."""
 
 KEPT = (0.2, 0.32, 0.5, 0.7)
-"""Shares of a solid's faces that low-poly keeps: the first that leaves it closed and whole."""
+"""Fractions of a solid's faces that the low-poly style tries to keep, in this order; it uses the
+first with which the solid stays closed and in one piece."""
 
 FEW = 60
-"""A solid with at most this many faces is already low-poly."""
+"""Maximum number of faces of a solid that the low-poly style leaves as it is."""
 
 SHEET = 0.2
-"""Low-poly keeps the print of solids thinner than this, relative to their second-shortest side."""
+"""Ratio of the shortest to the second-shortest side of a solid below which the low-poly style keeps
+the solid's texture."""
 
 STRAY = 0.06
-"""How far low-poly may depart from a solid, relative to its longest side."""
+"""Maximum deviation of a low-poly solid from the original, relative to its longest side."""
 
 _LIGHT = np.array([-0.45, -0.55, 0.7])
 
@@ -259,10 +261,10 @@ _LEAST = 0.25
 """Minimum fraction of the surface that shows a requested colour."""
 
 _GREY = 20.0
-"""How far from grey a colour without a hue can be (RGB from 0 to 255)."""
+"""Maximum difference from grey of a colour that counts as grey (RGB from 0 to 255)."""
 
 _CLOSE = 60.0
-"""How much lighter or darker one grey can be than another with the same name."""
+"""Maximum difference in lightness between two greys with the same name."""
 
 _ALIKE = 0.85
 """Minimum cosine of the angle between the hues of two colours with the same name."""
@@ -271,7 +273,7 @@ _STRONG = 0.35
 """Minimum strength of a colour relative to the requested colour."""
 
 _CONTRAST = 0.6
-"""Fraction of a tile's contrast that is kept when it is painted over."""
+"""Fraction of a texture tile's contrast that remains when the tile gets another colour."""
 
 
 def show_color(made: Shape, word: str) -> Shape:

@@ -283,7 +283,7 @@ T = TypeVar("T")
 SIZE_FACTORS: Mapping[str, float] = {"tiny": 0.65, "mini": 0.7, "small": 0.8, "little": 0.8,
                                      "medium": 1.0, "big": 1.25, "large": 1.25, "huge": 1.45,
                                      "giant": 1.45}  # fmt: skip
-"""Factors of size words on an object's extent."""
+"""Factors by which size words scale an object's extent."""
 
 
 def size_factor(attributes: Mapping[str, str]) -> float:
@@ -344,7 +344,7 @@ class Look:
         asked = rgb(self.attributes.get("color", ""))
         base = asked if asked is not None else rgb(choice)
         if base is None:
-            raise ValueError(f"{choice!r} is no colour word.")
+            raise ValueError(f"{choice!r} is not the name of a colour.")
         r, g, b = np.clip(np.array(base) + drift, 6, 250)
         return float(r), float(g), float(b)
 

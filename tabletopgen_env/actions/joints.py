@@ -10,10 +10,10 @@ from ..world.world import World
 from .servos import Servos, box
 
 JOINT_STEP = 0.1
-"""Largest rotation of each joint per action at 20 Hz, radians."""
+"""Largest rotation of each joint per action at 20 Hz, in radians."""
 
 JOINT_LEASH = 0.2
-"""Maximum lead of a commanded joint over the measured one, radians."""
+"""Maximum lead of a commanded joint over the measured one, in radians."""
 
 
 class JointDelta:

@@ -27,7 +27,7 @@ GRIPPER_CTRL = HOME_CTRL[-1]
 """The command that fully opens the gripper."""
 
 SERVO_LEAD = 0.08
-"""Time by which servo commands lead a moving reference, seconds.
+"""Time by which servo commands lead a moving reference, in seconds.
 
 A servo with torque ``k (u - q) - d q'`` trails its command ``u`` by ``d / k`` = 0.1 s. A lead
 slightly below that compensates most of the lag and keeps the servo well damped.

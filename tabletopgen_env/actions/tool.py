@@ -16,28 +16,28 @@ from ..world.world import World
 from .servos import Servos, box
 
 EE_STEP = 0.025
-"""Largest motion of the tool centre point per action and axis at 20 Hz, metres."""
+"""Largest motion of the tool centre point per action and axis at 20 Hz, in metres."""
 
 EE_TURN = 0.15
-"""Largest rotation of the hand per action and axis at 20 Hz, radians."""
+"""Largest rotation of the hand per action and axis at 20 Hz, in radians."""
 
 EE_LEASH = 0.04
-"""Maximum lead of the commanded point over the measured one, metres."""
+"""Maximum lead of the commanded point over the measured one, in metres."""
 
 YAW_LEASH = 0.4
-"""Maximum lead of the commanded yaw or rotation over the measured one, radians."""
+"""Maximum lead of the commanded yaw or rotation over the measured one, in radians."""
 
 WORKSPACE: tuple[tuple[float, ...], ...] = ((-0.5, -0.8, -0.1), (0.85, 0.8, 0.7))
-"""Lower and upper bounds of the commanded point in the base frame, metres."""
+"""Lower and upper bounds of the commanded point in the base frame, in metres."""
 
 YAW_REACH = np.pi / 2
-"""Largest target yaw of ``ToolAbsolute``, radians."""
+"""Largest target yaw of ``ToolAbsolute``, in radians."""
 
 LOWEST_POINT, HIGHEST_POINT = np.array(WORKSPACE)
 """Bounds of ``WORKSPACE`` as arrays."""
 
 JOINT_SPEED = np.array([joint.velocity for joint in JOINTS])
-"""Rated speeds of the joints, rad/s."""
+"""Rated speeds of the joints, in rad/s."""
 
 PULL = 0.05
 """Weight that pulls the joints towards home, per action at 20 Hz; see ``kinematics.ik_step``."""

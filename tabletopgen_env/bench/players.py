@@ -32,7 +32,7 @@ OWN = frozenset({*keywords_of("observation"), *keywords_of("action"), "renderer"
 """Keyword arguments of the environment that a policy sets: its observations and actions."""
 
 OF_TRAINING = frozenset({"randomization", "reward", "certified", "cache", "masters", "infos"})
-"""Training settings of a policy that a suite overrides."""
+"""Environment settings that a suite sets, whatever a policy was trained with."""
 
 Act = Callable[[Any], Any]
 """A function that returns the action for an observation."""
@@ -168,8 +168,8 @@ class PolicyPlayer:
             if (seen, card.actions) != (shown, taken):
                 raise InputError(
                     f"The policy needs observations {seen} and actions of size {card.actions}; "
-                    f"the environment of its card has observations {shown} and actions of size "
-                    f"{taken}. Train it again with this version of the package."
+                    f"the environment with its settings has observations {shown} and actions of "
+                    f"size {taken}. Train it again with this version of the package."
                 )
         for name in ("observation_space", "action_space"):
             own, there = getattr(self.policy, name, None), getattr(env, name)

@@ -27,7 +27,7 @@ from .players import KINDS, SIMPLE, PlayerFacts
 from .suites import canonical_digest, digest_of, read_payload
 
 SCHEMA = 1
-"""Version of the file format; other versions are refused."""
+"""Version of the file format; other versions are rejected."""
 
 MOST_EPISODES = 50_000
 """Maximum number of episodes of a result."""

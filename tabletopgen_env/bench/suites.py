@@ -26,7 +26,7 @@ VERSION = "v1"
 """The version of the suites that names refer to."""
 
 SCHEMA = 1
-"""Version of the file format; other versions are refused."""
+"""Version of the file format; other versions are rejected."""
 
 PLACE = Path(__file__).with_name("data")
 """Folder of the shipped suites, with a subfolder per version."""

@@ -25,7 +25,8 @@ _CERTIFIED_BY = ("tabletopgen", "mujoco", "numpy")
 
 _KERNELS = {"OPENBLAS_CORETYPE": "Haswell"} if machine() in ("x86_64", "AMD64") else {}
 """Environment variable that makes the OpenBLAS of NumPy and SciPy round as it does on processors
-with AVX2 only, on which the shipped suites were generated. With AVX-512 it selects other kernels.
+with AVX2 only, on which the shipped suites were generated. With AVX-512, OpenBLAS uses other
+kernels.
 """
 
 

@@ -60,4 +60,4 @@ class LevelScenes:
                 continue
             if self.level.holds(hard := difficulty(scene)):
                 return HeldRef(scene, hard)
-        raise SceneError(f"None of {DRAWS} generated tables is {self.level.name}.")
+        raise SceneError(f"None of {DRAWS} generated tables has the level {self.level.name!r}.")

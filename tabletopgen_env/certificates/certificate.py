@@ -22,15 +22,15 @@ FILE = "certificate.json"
 """Name of the certificate in a bundle's folder."""
 
 SCHEMA = 4
-"""Version of the file format. Older versions certify nothing: before version 3, initial states
+"""Version of the file format. Older certificates are not accepted: before version 3, initial states
 hardly differed; before version 4, an instance was certified even if one of its episodes failed.
 """
 
 STARTS = 30
 """Minimum number of episodes of a certified instance, all of which must succeed.
 
-An instance that fails from more than one initial state in ten passes 30 episodes with a probability
-below 5 %.
+If an instance fails from more than 10 % of its initial states, the probability that it passes all
+30 episodes is below 5 %.
 """
 
 MOST_INSTANCES, MOST_EPISODES = 4096, 10_000
@@ -204,7 +204,7 @@ def _decoded_instance(entry: dict[str, Any], terms: Terms) -> TaskInstance:
 
     task_named(task, preset)  # raises for unknown names
     if task not in terms.tasks:
-        raise ValueError(f"it lists {task}, which is not in its terms")
+        raise ValueError(f"it lists an instance of {task}, a task that its settings do not list")
     solved, played = check_type(entry["successes"], int), check_type(entry["episodes"], int)
     if not 0 <= solved <= played <= MOST_EPISODES:
         raise ValueError(f"invalid counts: {solved} of {played} episodes")

@@ -30,7 +30,7 @@ SEEN = 2 * PLACES
 """Number of input cells along a side, two per place."""
 
 MIDDLES = ((np.arange(PLACES) - (PLACES - 1) / 2) * PLACE).astype(np.float32)
-"""Centres of the places along an axis, relative to the object's centre, metres."""
+"""Centres of the places along an axis, relative to the object's centre, in metres."""
 
 MIDDLES.setflags(write=False)
 

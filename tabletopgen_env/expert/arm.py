@@ -28,10 +28,10 @@ from ..world.world import World
 from .planning.heights import HeightMap
 
 INSIDE = 0.05
-"""Margin between planned joint angles and the joint limits, radians."""
+"""Margin between planned joint angles and the joint limits, in radians."""
 
 NARROW = 0.38
-"""Minimum distance of the hand from the base's axis, metres; closer, the arm would have to fold."""
+"""Minimum distance of the hand from the base's axis, in metres; nearer, the arm must fold."""
 
 # minimum distance from the base's axis, metres: closer, the arm would have to fold differently
 _NEAREST = 0.28
@@ -55,7 +55,7 @@ MIDDLE = ROLL + float(HOME[6])
 """The hand's yaw relative to the tool's bearing with the last joint at zero."""
 
 ROLL_RANGE = float(UPPER[6]) - 0.1
-"""Maximum planned deviation from ``MIDDLE``, radians."""
+"""Maximum planned deviation from ``MIDDLE``, in radians."""
 
 
 def stretch(world: World, points: Iterable[Float[np.ndarray, "3"]], yaw: float) -> float | None:

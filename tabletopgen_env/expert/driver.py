@@ -23,7 +23,7 @@ from .path import ROOM, clear_height
 from .plant import Plant
 
 NEAR = 0.02
-"""Distance at which a waypoint counts as reached, metres."""
+"""Distance at which a waypoint counts as reached, in metres."""
 
 _GAIN, _TURN_GAIN = 0.3, 0.4
 

@@ -8,10 +8,10 @@ from jaxtyping import Float
 from ..world.world import World
 
 ROOM = 0.1
-"""Width of the corridor on either side of the path, metres: half a hand."""
+"""Width of the corridor on either side of the path, in metres: half a hand."""
 
 CLEAR = 0.035
-"""Clearance above obstacles, metres."""
+"""Clearance above obstacles, in metres."""
 
 
 def clear_height(

@@ -41,31 +41,31 @@ SPOT = "spot"
 """Goal name of a marked free spot."""
 
 SPOT_RADIUS, SPOT_HEIGHT = 0.04, 0.03
-"""Horizontal and vertical tolerance of the target at the marked spot, metres."""
+"""Horizontal and vertical tolerance of the target at the marked spot, in metres."""
 
 REST_SPEED, REST_SPIN = 0.02, 0.3
-"""Speeds below which the target is at rest, m/s and rad/s."""
+"""Speeds below which the target is at rest, in m/s and rad/s."""
 
 INSIDE = 0.005
-"""Minimum depth below the rim of the lowest point of an object in a container, metres."""
+"""Minimum depth below the rim of the lowest point of an object in a container, in metres."""
 
 REACHED = 0.02
-"""Maximum distance of the tool centre point from its goal point, metres."""
+"""Maximum distance of the tool centre point from its goal point, in metres."""
 
 RAISED = (0.08, 0.24)
-"""Range of heights above its start at which an object counts as lifted, metres."""
+"""Range of heights above its start at which an object counts as lifted, in metres."""
 
 ASTRAY = 0.25
-"""Maximum horizontal distance of a lifted object from its start, metres."""
+"""Maximum horizontal distance of a lifted object from its start, in metres."""
 
 UPRIGHT = float(np.cos(np.deg2rad(30.0)))
 """Minimum cosine between the world's up axis and an object's original up axis while it stands."""
 
 GAP = 0.005
-"""Maximum gap between a support's top and the object on it, metres."""
+"""Maximum gap between a support's top and the object on it, in metres."""
 
 LYING = 0.01
-"""Maximum height above the table of a pushed object's lowest point, metres."""
+"""Maximum height above the table of a pushed object's lowest point, in metres."""
 
 _ON_TOP = 0.015  # tolerance of a stacked object's height, metres
 

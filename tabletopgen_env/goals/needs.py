@@ -9,7 +9,7 @@ instance; ``benchmarks/fresh_tables.py`` measures how often.
 from __future__ import annotations
 
 Need = tuple[str, ...]
-"""Objects of which a scene needs one; ``generator.language.distribution.Needs`` has several."""
+"""Alternative objects, one of which a scene must contain; see ``language.distribution.Needs``."""
 
 STANDING: Need = (
     "toy block", "building brick", "die", "puzzle cube", "salt shaker", "cream jar",

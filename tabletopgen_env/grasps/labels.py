@@ -172,7 +172,7 @@ def read_file(path: str | Path) -> GraspFile | None:
         found = _decode_file(payload)
     except (ValueError, TypeError, KeyError, BundleError, InputError) as error:
         raise BundleError(
-            f"{folder}: {FILE} holds no valid labels ({type(error).__name__}: {error}). {advice}"
+            f"{folder}: {FILE} contains no valid labels ({type(error).__name__}: {error}). {advice}"
         ) from error
     if found.scene != scene:
         raise BundleError(f"{folder}: {FILE} was made for another scene. {advice}")

@@ -36,7 +36,7 @@ from ..robot.tool import TCP_SITE
 from .candidates import GraspCandidate
 
 SLIP, TWIST = 0.02, float(np.deg2rad(30.0))
-"""Maximum motion of a held object in the hand, metres and radians."""
+"""Maximum motion of a held object in the hand, in metres and radians."""
 
 STAGES = ("close", "lift", "turn", "shake")
 """The stages of a trial."""
@@ -48,7 +48,7 @@ FRICTION = (0.5, 1.0)
 """Range of the factor applied to the friction coefficient of the finger pads, which is 1.3."""
 
 GRAVITY, SWING = 9.81, 5.0
-"""Accelerations of the lift and of the shake, m/s²."""
+"""Accelerations of the lift and of the shake, in m/s²."""
 
 _HAND = "hand/"
 _STEP = 0.004  # seconds; half of it gives the same results

@@ -39,10 +39,10 @@ SHIPPED = Path(__file__).with_name("trained")
 """Folder of the policies shipped with the package."""
 
 KEY = "tabletopgen_policy"
-"""Header key of the card; a single key, since safetensors does not keep the order of several."""
+"""Key of the card in the header; a single key, since safetensors does not preserve the order."""
 
 FORMAT = 1
-"""Version of the file format; other versions are refused."""
+"""Version of the file format; other versions are rejected."""
 
 MOST_BYTES = 5 * 2**20
 """Maximum size of a policy file."""

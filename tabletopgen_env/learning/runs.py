@@ -41,7 +41,7 @@ from .evaluation import PolicyEvaluation
 from .recipes import Recipe, recipe_of
 
 FORMAT = 1
-"""Version of the layout of a run's folder; other versions are refused."""
+"""Version of the layout of a run's folder; other versions are rejected."""
 
 ROUNDS = "cloning"
 """Subfolder of a run's cloning rounds."""

@@ -24,10 +24,10 @@ if TYPE_CHECKING:
     from .settings import Randomization
 
 OVERLAP = 5e-4
-"""Maximum overlap of two objects, metres, as in generated scenes."""
+"""Maximum overlap of two objects, in metres, as in generated scenes."""
 
 DRIFT, TILT = 2e-3, np.deg2rad(2.0)
-"""Maximum motion of an object at rest, metres and radians."""
+"""Maximum motion of an object at rest, in metres and radians."""
 
 _SETTLING = 100  # simulation steps for which a new arrangement must stay at rest
 _DEPTH = 10.0  # depth below the floor of removed objects, metres

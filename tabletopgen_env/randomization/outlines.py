@@ -10,12 +10,12 @@ from jaxtyping import Bool, Float
 from generator.geometry import convex_outline
 
 Outline = Float[np.ndarray, "_ 2"]
-"""A convex outline, counter-clockwise, metres."""
+"""A convex outline, counter-clockwise, in metres."""
 
 Outlines = Float[np.ndarray, "c k 2"]
 Point = Float[np.ndarray, "2"]
 Moves = Float[np.ndarray, "c 3"]
-"""Translation along x and y, metres, and rotation, radians."""
+"""Translation along x and y, in metres, and rotation, in radians."""
 
 
 def hull(outlines: Sequence[Outline]) -> Outline:

@@ -172,9 +172,9 @@ PRESETS: Mapping[str, Randomization] = MappingProxyType(
         ),
     }
 )  # fmt: skip
-"""Presets by name: "none", for settings that must be strings, as in recipes; "starts", as used for
-certificates; "light" for small variations of everything but delays and distractors; "strong" for
-large ones."""
+"""Presets by name: "none" changes nothing (for recipes, where the setting must be a string);
+"starts" is the randomisation of certificates; "light" varies everything except delays and
+distractors slightly; "strong" varies everything by large amounts."""
 
 
 def resolve(choice: Randomization | str | None) -> Randomization:

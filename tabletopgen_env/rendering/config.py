@@ -23,7 +23,7 @@ PRESETS: Mapping[str, Mapping[CameraName, tuple[int, int]]] = MappingProxyType({
     "maniskill": {"front": (128, 128), "wrist": (128, 128)},
     "droid": {"front": (180, 320), "side": (180, 320), "wrist": (180, 320)},
 })  # fmt: skip
-"""Camera names and picture sizes of other datasets; poses and lenses are those of this project."""
+"""Cameras and picture sizes as in other datasets; camera poses and lenses are not adopted."""
 
 ObservationMode = Literal[
     "state", "goal", "pixels", "pixels+proprio", "pixels+state", "point_cloud", "point_cloud+state"

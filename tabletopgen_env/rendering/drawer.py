@@ -79,7 +79,7 @@ def drawer(choice: str, height: int, width: int, profile: Profile = "fast") -> D
     if choice not in RENDERERS:
         raise InputError(f"Unknown renderer {choice!r}." + choices(str(choice), RENDERERS))
     if choice == "auto" and _GL_USE.is_forked():
-        warnings.warn(f"{_FORKED} Drawing in software.", RuntimeWarning, stacklevel=2)
+        warnings.warn(f"{_FORKED} Pictures are drawn in software.", RuntimeWarning, stacklevel=2)
     elif choice != "software":
         try:
             return GlDrawer(height, width, profile)

@@ -47,4 +47,4 @@ class Drawer(Protocol):
 
 
 DrawerOf = Callable[[tuple[int, int]], Drawer]
-"""Returns a rendering backend for a height and width, pixels."""
+"""A function that returns a rendering backend for a height and width in pixels."""

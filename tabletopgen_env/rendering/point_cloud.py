@@ -32,7 +32,7 @@ if TYPE_CHECKING:
     from .kinds import DrawerOf
 
 ABOVE = 0.003
-"""Minimum height of points above the table top, metres."""
+"""Minimum height of points above the table top, in metres."""
 
 
 def point_cloud_spaces(count: int) -> dict[str, spaces.Space[Any]]:

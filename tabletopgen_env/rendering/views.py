@@ -58,7 +58,7 @@ SLOTS = 12
 """Maximum number of objects in an observation."""
 
 DEPTH_FAR = 10.0
-"""Depth of the background and of anything farther, metres."""
+"""Depth of the background and of anything farther, in metres."""
 
 BACKGROUND, ROBOT, TABLETOP, FIRST_SLOT = 0, 1, 2, 3
 """Labels of a segmentation."""

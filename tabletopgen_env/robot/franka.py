@@ -61,22 +61,22 @@ JOINTS: tuple[Joint, ...] = (
 """The seven joints, base to wrist."""
 
 HOME: tuple[float, ...] = (0.0, 0.0, 0.0, -HALF_PI, 0.0, HALF_PI, -HALF_PI / 2)
-"""Home pose, radians: the hand points straight down, 0.55 m in front of the base."""
+"""Home pose, in radians: the hand points straight down, 0.55 m in front of the base."""
 
 FLANGE = 0.107
-"""Distance from the frame of joint 7 to the flange, where the hand is mounted, metres."""
+"""Distance from the frame of joint 7 to the flange, where the hand is mounted, in metres."""
 
 HAND_YAW = -np.pi / 4
-"""Rotation of the hand about the flange's axis, radians."""
+"""Rotation of the hand about the flange's axis, in radians."""
 
 FINGER_MOUNT = 0.0584
-"""Distance from the flange to the fingers' slides, metres."""
+"""Distance from the flange to the fingers' slides, in metres."""
 
 TCP = 0.1034
-"""Distance from the flange to the tool centre point between the fingertips, metres."""
+"""Distance from the flange to the tool centre point between the fingertips, in metres."""
 
 FINGER_STROKE = 0.04
-"""Travel of each finger, metres; the gripper opens by twice as much."""
+"""Travel of each finger, in metres; the gripper opens by twice as much."""
 
 GRIPPER_CTRL = 255.0
 """Gripper command when fully open; 0 closes."""
@@ -112,7 +112,7 @@ INERTIALS: dict[str, Inertial] = {
     "left_finger": Inertial(0.015, (0.0, 0.0, 0.0), (2.375e-6, 2.375e-6, 7.5e-7, 0.0, 0.0, 0.0)),
     "right_finger": Inertial(0.015, (0.0, 0.0, 0.0), (2.375e-6, 2.375e-6, 7.5e-7, 0.0, 0.0, 0.0)),
 }  # fmt: skip
-"""Values identified by Gaz et al. (2019); hand and fingers from Franka."""
+"""Inertial parameters of the links, identified by Gaz et al. (2019), and of the hand, by Franka."""
 
 
 @dataclass(frozen=True)

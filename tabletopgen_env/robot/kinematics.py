@@ -19,21 +19,21 @@ from . import franka
 from .chain import chain_at
 
 LOWER: Float[np.ndarray, "7"] = np.array([joint.low for joint in franka.JOINTS])
-"""Lower joint limits, radians."""
+"""Lower joint limits, in radians."""
 
 UPPER: Float[np.ndarray, "7"] = np.array([joint.high for joint in franka.JOINTS])
-"""Upper joint limits, radians."""
+"""Upper joint limits, in radians."""
 
 HOME: Float[np.ndarray, "7"] = np.array(franka.HOME)
-"""Home pose, radians."""
+"""Home pose, in radians."""
 
 MAX_STEP = 0.2
-"""Maximum motion of a joint in one step of ``ik_step``, radians."""
+"""Maximum motion of a joint in one step of ``ik_step``, in radians."""
 
 _MARGIN = 0.02
 
 LOWEST, HIGHEST = LOWER + _MARGIN, UPPER - _MARGIN
-"""Lower and upper bounds of the joints that ``ik_step`` returns, radians."""
+"""Lower and upper bounds of the joints that ``ik_step`` returns, in radians."""
 
 _solve: Any = getattr(lapack, "dposv")  # noqa: B009 - made at run time, unknown to type checkers
 # Shoulder, elbow and wrist are collinear at -0.467. Beyond this angle the arm would get shorter

@@ -32,7 +32,7 @@ GAP = 0.012
 """Gap between pedestal and table edge, in metres."""
 
 LIFT = 0.01
-"""Height of the base above the table top, metres, since its foot projects over the edge."""
+"""Height of the base above the table top, in metres, since its foot projects over the edge."""
 
 NEAREST = 0.30
 """Minimum horizontal distance from the base at which the hand can point straight down (metres)."""

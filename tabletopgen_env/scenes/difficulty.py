@@ -34,21 +34,21 @@ FULL = 0.35
 """Covered fraction of the tabletop at which the clutter term reaches 1."""
 
 FREE = 0.12
-"""Gap to the nearest neighbour, metres, above which the hand is unobstructed."""
+"""Gap to the nearest neighbour, in metres, above which the hand is unobstructed."""
 
 NEAR, FAR = 0.45, 0.77
-"""Distances from the robot's base, metres: the distance term is 0 up to the first, and 1 at the
-second, the end of the reach.
+"""Distances from the robot's base, in metres: the distance term is 0 up to the first and 1 from the
+second on, which is the limit of the robot's reach.
 """
 
 SMALL, TINY = 0.03, 0.01
-"""Widths, metres: the size term grows below the first and reaches 1 at the second."""
+"""Widths, in metres: the size term grows below the first and reaches 1 at the second."""
 
 WIDE = 0.05
-"""Width, metres, above which the fingers, which open 8 cm, have little clearance."""
+"""Width, in metres, above which the fingers, which open 8 cm, have little clearance."""
 
 LOW = 0.04
-"""Height, metres, below which the fingers work close to the table."""
+"""Height, in metres, below which the fingers work close to the table."""
 
 RIM = 0.5
 """Size term of a vessel that can only be grasped by its rim."""

@@ -95,7 +95,7 @@ class FixedScenes:
         if not self._warned:
             self._warned = True
             warnings.warn(
-                f"{missing}; continuing with the {len(left)} of {len(self)} remaining scenes.",
+                f"{missing}; continuing with the remaining {len(left)} of {len(self)} scenes.",
                 RuntimeWarning, stacklevel=2,
             )  # fmt: skip
         return left[int(rng.integers(len(left)))]

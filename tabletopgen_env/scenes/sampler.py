@@ -16,7 +16,7 @@ from numpy.typing import ArrayLike
 from generator.errors import InputError
 
 EDGES = (0.0, 0.15, 0.2, 0.25, 0.3, 0.35, 0.4, 0.45, 1.0)
-"""Edges of the bins of difficulty: nine in ten composed tables are between 0.19 and 0.42."""
+"""Edges of the bins of difficulty. Nine in ten composed tables lie between 0.19 and 0.42."""
 
 
 @dataclass(eq=False)

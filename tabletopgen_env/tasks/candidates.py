@@ -197,7 +197,9 @@ def into(world: World, obj: Object, container: Object) -> Into:
     """
     hollow = world.openings[container.name]
     if hollow is None or container.name == obj.name:
-        raise InputError(f"{container.name!r} is not a container for {obj.name!r}.")
+        raise InputError(
+            f"{obj.name!r} cannot be put into {container.name!r}, which is not a container for it."
+        )
     return Into(obj.name, container.name, hollow, resting_height(obj))
 
 
@@ -216,13 +218,13 @@ def given_object(world: World, goal: Choice, use: str, wanted: str) -> str | Non
     """Return the object that a goal option names, or None if the option is not set.
 
     ``use`` completes the error for unknown objects ("to put objects on"), ``wanted`` the one for
-    other values ("Stack must be an object's name").
+    other values ("The goal of Stack must be the name of an object").
 
     Raises:
         InputError: the option is a spot or a point, or the object does not exist.
     """
     if goal is not None and target_of(goal) is None:
-        raise InputError(f"The goal of {wanted}, got {goal!r}.")
+        raise InputError(f"{wanted}, got {goal!r}.")
     return None if goal is None else check_known(world, str(goal), use)
 
 

@@ -26,16 +26,16 @@ from .candidates import Reasons, blocking_reason, draw_episode, given_point, on_
 from .task import Choice, Episode, Task, episode
 
 WAY = (0.08, 0.25)
-"""Minimum and maximum distance of a push, metres."""
+"""Minimum and maximum distance of a push, in metres."""
 
 HEAVIEST = 1.5
-"""Maximum mass of a target, kg."""
+"""Maximum mass of a target, in kg."""
 
 SLENDER = 1.2
 """Maximum height of a target as a multiple of its smallest width: more slender objects topple."""
 
 LEAST_GRIP = 0.5
-"""Least friction coefficient with the table at which a target must slide without toppling."""
+"""Lowest friction coefficient with the table at which a target must slide without toppling."""
 
 LONGEST = 2.0
 """Maximum length of a target along the push, as a multiple of its breadth."""
@@ -80,7 +80,7 @@ def _fixed_reason(world: World, obj: Object) -> str | None:
     if not on_table(obj):
         return f"it stands on {obj.placement.on}"
     if obj.mass > HEAVIEST:
-        return f"{obj.mass:.3g} kg is heavier than {HEAVIEST} kg"
+        return f"its mass of {obj.mass:.3g} kg exceeds {HEAVIEST} kg"
     if resting_height(obj) > SLENDER * grasp_width(obj) or tips(obj):
         return "it would topple or roll"
     if resting_height(obj) < 0.01:

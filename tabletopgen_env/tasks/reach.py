@@ -19,7 +19,7 @@ from .candidates import coordinates
 from .task import Choice, Episode, Task, episode
 
 HEIGHTS = (0.05, 0.30)
-"""Minimum and maximum height of a goal above the surface below it, metres."""
+"""Minimum and maximum height of a goal above the surface below it, in metres."""
 
 _TRIES = 400
 

@@ -47,7 +47,7 @@ from .swap import Swap
 from .task import Choice, Episode, Task, episode
 
 NEEDS: Needs = (SMALL, SMALL, (*FLAT, *TRAYS))
-"""Objects that tables for drawn steps must have: two to move, and a destination for one."""
+"""Objects that a table must contain if the steps are drawn: two to move, and a destination."""
 
 _APART = 0.2  # minimum distance of two marked spots, metres
 

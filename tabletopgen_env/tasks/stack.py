@@ -29,10 +29,10 @@ LEAST_TOP = 0.022
 """Minimum radius of a flat top that serves as a support, in metres."""
 
 _YAWS = np.arange(8) * np.pi / 4
-"""Candidate yaws of the hand, base frame, in radians."""
+"""Candidate yaws of the hand in the base frame, in radians."""
 
 TALLEST = 0.25
-"""Maximum height of a support, metres: the arm must pass over it."""
+"""Maximum height of a support, in metres: the arm must pass over it."""
 
 
 class Stack(Task):
@@ -45,7 +45,9 @@ class Stack(Task):
         self, world: World, rng: np.random.Generator, target: str | None = None, goal: Choice = None
     ) -> Episode:
         """Draw a target and a support, or use the given ones; see ``Task.sample``."""
-        wanted = given_object(world, goal, "to put objects on", "Stack must be an object's name")
+        wanted = given_object(
+            world, goal, "to put objects on", "The goal of Stack must be the name of an object"
+        )
 
         def make(obj: Object) -> Episode | None:
             found = list(supports(world, obj, wanted))

@@ -38,7 +38,9 @@ class Swap(Task):
         self, world: World, rng: np.random.Generator, target: str | None = None, goal: Choice = None
     ) -> Episode:
         """Draw two objects, or use the given ones; see ``Task.sample``."""
-        wanted = given_object(world, goal, "to swap with", "Swap must be the other object's name")
+        wanted = given_object(
+            world, goal, "to swap with", "The goal of Swap must be the name of the other object"
+        )
         reasons = liftable(world)
         for obj in world.scene.objects:
             if not on_table(obj):

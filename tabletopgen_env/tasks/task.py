@@ -58,13 +58,13 @@ ENTRIES = 8
 """Number of entries per goal in a goal vector."""
 
 LIFT = 0.08
-"""Height at which objects are carried, metres."""
+"""Height by which an object is lifted to be carried, in metres."""
 
 REACH_SCALE, PLACE_SCALE = 0.1, 0.15
-"""Distances at which the terms reach and place are 1/2, metres."""
+"""Distances, in metres, at which the reward terms "reach" and "place" are 1/2."""
 
 FAR = 3.0
-"""Bound of positions in goal vectors, metres."""
+"""Maximum magnitude of positions in goal vectors, in metres."""
 
 _HAND = ("reach", "grasp", "lift")
 

@@ -43,7 +43,9 @@ class Tidy(Task):
         """Draw a container, or use the given one; see ``Task.sample``."""
         if target is not None:
             raise InputError("Tidy moves all objects that fit; omit the option 'target'.")
-        wanted = given_object(world, goal, "to put objects into", "Tidy must be a container's name")
+        wanted = given_object(
+            world, goal, "to put objects into", "The goal of Tidy must be the name of a container"
+        )
         reasons = liftable(world)
         small = [o for o in world.scene.objects if reasons[o.name] is None]
         loads: dict[str, list[Object]] = {}

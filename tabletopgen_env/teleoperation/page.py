@@ -34,7 +34,7 @@ HOST = "127.0.0.1"
 """Host of the page: this machine only."""
 
 MOST_BYTES = 4096
-"""Maximum size of an input message, bytes."""
+"""Maximum size of an input message, in bytes."""
 
 _PAGE = Path(__file__).with_name("page.html")
 _QUALITY = 80  # quality of the JPEG pictures

@@ -85,7 +85,7 @@ class TeleopWindow:
         upright = np.ascontiguousarray(picture[::-1])
         GL.glDrawPixels(width, height, GL.GL_RGB, GL.GL_UNSIGNED_BYTE, upright)
         glfw.swap_buffers(self._window)
-        done = {"solved": "done", "time": "time is up", None: status.by}[status.over]
+        done = {"solved": "done", "time": "time limit reached", None: status.by}[status.over]
         glfw.set_window_title(self._window, f"{status.instruction} · {status.step} · {done}")
         glfw.make_context_current(None)
 

@@ -45,7 +45,7 @@ MARKER_COLOR = (0.1, 0.85, 0.25)
 """Red, green, blue of the marker."""
 
 MARKER_SIZE = (0.04, 0.0008, 0.0)
-"""MuJoCo size of the disc marker for the default radius, metres."""
+"""MuJoCo size of the disc marker for the default radius, in metres."""
 
 _FRONT_ELEVATION, _FRONT_FOV = np.deg2rad(30.0), np.deg2rad(45.0)
 _FRONT_MARGIN = 0.04  # margin of the front camera's picture on each side, relative to its size
@@ -53,7 +53,7 @@ _TOP_HEIGHT = 2.0  # height of the top camera above the table, well above the ar
 _TOP_MARGIN = 1.08  # extent of its picture, relative to the table
 
 TIMESTEP = 0.002
-"""Simulation step, seconds."""
+"""Simulation step, in seconds."""
 
 
 def compose(

@@ -27,7 +27,7 @@ TILES: tuple[Color, Color] = ((0.47, 0.475, 0.485), (0.43, 0.435, 0.445))
 """Colours of the floor's tiles."""
 
 TILE = 0.5
-"""Side of a tile, metres."""
+"""Side of a tile, in metres."""
 
 HAZE: Color = (0.76, 0.78, 0.81)
 """Colour of the background, and of the floor far away."""
@@ -36,7 +36,7 @@ ZENITH: Color = (0.58, 0.65, 0.74)
 """Colour of the sky overhead where no haze is drawn, as in MuJoCo's viewer."""
 
 FLOOR_HALF = 3.0
-"""Half the side of the floor, metres. In the front camera's view it ends in the haze; an endless
+"""Half the side of the floor, in metres. In the front camera's view it ends in the haze; an endless
 floor would take a third of the drawing time of a small picture."""
 
 AMBIENT, HEADLIGHT, SUN = 0.38, 0.20, 0.46

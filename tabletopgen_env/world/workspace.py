@@ -13,13 +13,13 @@ from ..robot.mount import clear_of_tall
 from .world import World
 
 FREE_MARGIN = 0.015
-"""Margin around an object on a free spot, metres."""
+"""Margin around an object on a free spot, in metres."""
 
 LEAST_WAY = 0.12
-"""Minimum distance from an object's position to a free spot drawn for it, metres."""
+"""Minimum distance from an object's position to a free spot drawn for it, in metres."""
 
 Fits = Callable[[Float[np.ndarray, "2"]], bool]
-"""Returns whether a point (x, y) on the table is acceptable."""
+"""A function that returns whether a point (x, y) on the table is acceptable."""
 
 _TRIES, _ASKED = 400, 40
 

@@ -49,10 +49,10 @@ if TYPE_CHECKING:
 
 
 _CONTACT = 1e-4
-"""Distance between the surfaces of resting objects that still counts as contact, metres."""
+"""Distance between the surfaces of resting objects that still counts as contact, in metres."""
 
 _FIXED_REACH = 0.4
-"""Maximum reach of the robot's fixed part from its base, metres."""
+"""Maximum reach of the robot's fixed part from its base, in metres."""
 
 
 T = TypeVar("T")

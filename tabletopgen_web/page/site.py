@@ -93,7 +93,7 @@ def _check(bundles: Sequence[Path], out: Path) -> None:
         raise InputError(f"Two bundles are named {twice!r}. Rename one of them.")
     if out.is_dir() and any(out.iterdir()) and not (out / _MARKER).is_file():
         raise InputError(
-            f"{out} contains files that are not of a page and would be deleted. Choose a new "
+            f"{out} contains files that do not belong to a page and would be deleted. Choose a new "
             f"folder."
         )
     if out.exists() and not out.is_dir():

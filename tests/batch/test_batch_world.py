@@ -281,7 +281,7 @@ def test_a_world_takes_the_memory_that_is_said(
 def test_limits_are_checked() -> None:
     with pytest.raises(InputError, match="rows"):
         BatchLimits(rows=0)
-    with pytest.raises(InputError, match="depths must be at most contacts"):
+    with pytest.raises(InputError, match=r"depths must be at most BatchLimits\.contacts"):
         BatchLimits(contacts=8, depths=9)
 
 

@@ -79,7 +79,7 @@ def test_rows_of_the_test_half_have_no_words(
 
 def test_an_error_of_the_package_is_not_foreign() -> None:
     assert made(1, TRACE).foreign
-    assert not made(2, "error: The text is empty.").foreign
+    assert not made(2, "error: The prompt is empty.").foreign
 
 
 def test_a_scene_made_before_is_not_made_again(

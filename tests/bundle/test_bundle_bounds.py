@@ -173,7 +173,7 @@ def test_a_mesh_comes_back_from_its_file() -> None:
 @pytest.mark.slow
 def test_files_are_named_by_their_content(path: Path) -> None:
     name = next((path / "textures").iterdir()).relative_to(path).as_posix()
-    refused(put(path, name, png(1, 1, zlib.compress(b"\0\0"))), "match the digest of its content")
+    refused(put(path, name, png(1, 1, zlib.compress(b"\0\0"))), "match the digest of the file")
 
 
 @pytest.mark.slow

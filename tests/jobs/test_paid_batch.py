@@ -85,7 +85,7 @@ def test_who_answers_is_decided_where_the_batch_is_made(
     there = pickle.loads(sent)
     assert there.identity() == one.identity()
     assert "no-real-key" not in repr(one) + str(sent)
-    with pytest.raises(BackendError, match=r"reasoner would differ .*gpt-two.* of .*gpt-one"):
+    with pytest.raises(BackendError, match=r"reasoner .*gpt-two.* instead of .*gpt-one"):
         there(batch.Job("a desk"), tmp_path / "out")
     assert not (tmp_path / "out").exists()
 

@@ -67,7 +67,7 @@ def test_a_game_for_two_is_no_meal() -> None:
     planned = plan("poker for two: a deck of cards in the middle, a mug, two dice, a lamp")
     assert len(planned.objects) == 5
     assert (
-        "No places are laid for 2 people because the text does not describe a meal."
+        "No places are laid for 2 people because the prompt does not describe a meal."
         in planned.warnings
     )
 

@@ -158,7 +158,7 @@ def test_a_site_is_written_whole_and_replaces_only_a_site(
     foreign = tmp_path / "foreign"
     foreign.mkdir()
     (foreign / "thesis.tex").touch()
-    with pytest.raises(InputError, match="contains files that are not of a page"):
+    with pytest.raises(InputError, match="contains files that do not belong to a page"):
         write_site([bundle], foreign, options=QUICK)
     assert (foreign / "thesis.tex").exists()
     with pytest.raises(InputError, match="Two bundles"):

@@ -17,7 +17,7 @@ pytestmark = [pytest.mark.slow, pytest.mark.timeout(900)]
 JOB: dict[str, Any] = {
     "id": "0123456789ab", "kind": "compose", "state": "interrupted", "title": "a thrice-met table",
     "request": {"kind": "compose", "text": TEXT}, "created": 1.0, "started": 2.0, "finished": 3.0,
-    "runs": 3, "stage": None, "figures": [], "error": "The studio ended 3 times.",
+    "runs": 3, "stage": None, "figures": [], "error": "The studio stopped 3 times.",
     "result": None, "log": "",
 }  # fmt: skip
 

@@ -32,7 +32,7 @@ ASSETS = "TABLETOPGEN_ASSETS"
 """Environment variable that sets the folder, used if ``Folder.path`` is empty."""
 
 Units = Literal["usual", "m", "cm", "mm", "in"]
-"""The unit of a file's coordinates; "usual" means that they have no unit."""
+"""Unit of a file's coordinates; "usual" means unknown: the object is scaled to its usual size."""
 
 _METRES: Mapping[str, float] = MappingProxyType({"m": 1.0, "cm": 0.01, "mm": 0.001, "in": 0.0254})
 _CLEAR = 0.15  # minimum advantage of one up axis over the other, as mean log ratio of proportions
@@ -131,7 +131,7 @@ class Folder:
         times = float(own.max() / np.asarray(model.size).max())
         if not 1 / _ODD < times < _ODD:
             _LOG.warning(
-                "%s, read in %s, is %.3g times as large as usual. Check Folder.units.",
+                "%s, read with the unit %s, has %.3g times its usual size. Check Folder.units.",
                 what,
                 self.units,
                 times,

@@ -190,7 +190,10 @@ def _read(database: sqlite3.Connection, folder: Path) -> Spent:
         if not (owned and all(map(is_number, (money, *amounts))) and is_count(unpriced)):
             raise StorageError("Its amounts must be non-negative numbers.")
         if len(rows) > 1 or len(held) > _MAX_HELD:
-            raise StorageError(f"It has {len(rows)} budgets and {len(held)} calls in flight.")
+            raise StorageError(
+                f"It has {len(rows)} budgets and {len(held)} calls in flight; at most 1 and "
+                f"{_MAX_HELD} are allowed."
+            )
     except StorageError as error:
         raise damage_error(folder / FILE, str(error)) from error
     return Spent(mark, currency, money, unpriced, sum(amounts))
@@ -199,5 +202,5 @@ def _read(database: sqlite3.Connection, folder: Path) -> Spent:
 def _elsewhere(folder: Path) -> StorageError:
     return StorageError(
         f"On this machine, {folder} is not the folder in which the batch was started: it has no "
-        "record of its budget. Restart the batch on the machine that has the folder."
+        "record of the batch's budget. Restart the batch on the machine that has the folder."
     )

@@ -45,7 +45,8 @@ _MAX_BYTES = 256 * 2**20  # maximum file size
 _MAX_VALUE_BYTES = 2**20
 _WAIT = 60.0  # seconds; locks on the file are always short
 _SUPER_JOURNAL = b"\xd9\xd5\x05\xf9\x20\xa1\x63\xd7"
-"""End of a journal that names another file for SQLite to delete, which ours never do."""
+"""Last bytes of a journal that refers to a super-journal, which SQLite would delete; the journals
+of spending databases never do."""
 
 
 class NoDatabaseError(StorageError):
@@ -135,7 +136,7 @@ class LocalKeeper:
 
 
 LOCAL = LocalKeeper()
-"""The keeper that is used by default, for processes on this machine."""
+"""The default access to spending databases, for processes on this machine only."""
 
 
 def is_alive(folder: Path, name: str) -> bool:

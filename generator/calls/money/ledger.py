@@ -18,7 +18,7 @@ from .prices import Prices, unknown_price
 from .scene_cost import Spending
 
 LEDGER = "ledger.json"
-"""File name of the ledger, which is stored next to the bundle's listed files."""
+"""Name of a bundle's ledger file, which ``scene.json`` does not list."""
 
 _POLL = 0.1  # seconds between checks for a stop
 

@@ -83,7 +83,7 @@ class Prices:
                 raise InputError(f"{path}: unknown setting {name!r}." + choices(name, known))
         models = table.get("models", {})
         if not isinstance(models, dict):
-            raise InputError(f'{path}: models must be a table of [models."name"].')
+            raise InputError(f'{path}: models must be a table of entries [models."NAME"].')
         priced = {name: _price(f"{path}: {name}", entry) for name, entry in models.items()}
         date = printable(str(table.get("date", "")), f"{path}: the date", InputError)
         currency = printable(table.get("currency", "USD"), f"{path}: the currency", InputError)
@@ -118,7 +118,7 @@ def _price(where: str, entry: Any) -> Price:
     known = [f.name for f in dataclasses.fields(Price)]
     if not isinstance(entry, dict):
         raise InputError(
-            f"{where}: a price must be a table of {', '.join(known)}, got {entry!r:.80}."
+            f"{where}: a price must be a table with the keys {', '.join(known)}, got {entry!r:.80}."
         )
     for name, value in entry.items():
         if name not in known:

@@ -105,8 +105,8 @@ def _read(facts: Any, path: Path) -> tuple[str, Entry]:
     except (StorageError, UnicodeError) as error:
         raise damage_error(path, str(error)) from error
     fine = {name: value for name, value in told.items() if name in _FITS and _FITS[name](value)}
-    if not {"currency", "server", "question", "money"} <= set(fine):
-        raise damage_error(path, f"A call has invalid values {sorted(told)!r:.200}.")
+    if missing := {"currency", "server", "question", "money"} - set(fine):
+        raise damage_error(path, f"A call has no valid {', '.join(sorted(missing))}.")
     known = {f.name for f in dataclasses.fields(Entry)}
     entry = Entry(**{name: value for name, value in fine.items() if name in known})
     return fine["currency"], dataclasses.replace(entry, earlier=True)
@@ -121,4 +121,4 @@ _FITS: Mapping[str, Callable[[Any], bool]] = MappingProxyType({
     "money": lambda value: value is None or is_number(value),
     "outcome": lambda value: value in get_args(Outcome),
 })  # fmt: skip
-"""A check for each value of a call."""
+"""Functions that check the values of a recorded call, by name."""

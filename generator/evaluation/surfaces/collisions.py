@@ -23,7 +23,7 @@ from ...scene import TABLE, Scene
 from .shells import SurfaceShell, bisect, nearest_on_triangles, shells
 
 THRESHOLD = 5e-4
-"""Maximum depth of a contact, metres; deeper overlaps are collisions."""
+"""Maximum depth of a contact, in metres; deeper overlaps are collisions."""
 
 _TOLERANCE, _SHARE = 2e-5, 0.02  # absolute and relative tolerances of depths
 _MAX_PIECES = 30_000  # number of triangle pieces examined per iteration

@@ -225,7 +225,7 @@ class Interpreter(SeatReader):
     def _table(self, noun: Noun) -> str:
         if (noun.count or 1) > 1 or noun.amount or noun.plural:
             raise InputError(
-                "A scene has exactly one table, but the text describes several "
+                "A scene has exactly one table, but the prompt describes several "
                 f"({phrase_text(noun)!r}). Describe one table."
             )
         self.reading.table.append(noun)

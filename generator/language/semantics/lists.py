@@ -16,7 +16,7 @@ from .links import link
 from .references import Target
 
 TURNED = InputError(
-    "The text puts the table on an object; objects stand on the table. Reverse the relation, for "
+    "The prompt puts the table on an object, but objects stand on the table. Reverse this, for "
     "example 'a mug on the table'."
 )
 

@@ -87,11 +87,11 @@ class Relater(ABC):
             named = isinstance(place.target, Noun) and place.target.kind == "thing"
             if named and len(group) == len(self.reading.objects):
                 raise InputError(
-                    f"The text places the {group[0].noun} relative to itself; name two different "
+                    f"The prompt places the {group[0].noun} relative to itself; name two different "
                     "objects."
                 )
             self.reading.warnings.append(
-                f"The text places the {group[0].noun} relative to itself; the relation is ignored."
+                f"The prompt places the {group[0].noun} relative to itself; this is ignored."
             )
             return
         if place.each or (isinstance(place.target, Noun) and place.target.each):

@@ -15,7 +15,7 @@ from ...pictures import PictureLimits, decode
 from .bounds import MOST_BYTES, MOST_TEXELS, MOST_TEXELS_TOGETHER
 
 MOST_TEXTURE = 2048
-"""Maximum side of a stored texture, texels."""
+"""Maximum side of a stored texture, in texels."""
 
 TEXTURE_LIMITS = PictureLimits(
     formats=("PNG", "JPEG", "WEBP", "BMP", "TGA"), max_bytes=MOST_BYTES, max_pixels=MOST_TEXELS,

@@ -35,7 +35,7 @@ def rma_score(area: float, ratio_error: float, tau: float = 0.25) -> float:
 def select_anchor(scores: Mapping[str, float]) -> str:
     """Return the name with the highest RMA-Score, or the first of several with equal scores."""
     if not scores:
-        raise SceneError("The top view shows no object that could be the scaling anchor.")
+        raise SceneError("The top view shows no object from which its scale can be determined.")
     return max(scores, key=lambda name: scores[name])
 
 

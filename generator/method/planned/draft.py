@@ -18,17 +18,17 @@ from ...scene import TABLE, Instance, Model, Placement, Rotation, ScenePlan
 from .matches import fresh_names, match_planned, rename_plan
 
 ALIKE = 1.35, 1.2
-"""Maximum ratio between corresponding sides of an object and of the planned model, or of another
-variant of its kind, if the drawing shows catalogue objects. Beyond it, the sizes differ."""
+"""Maximum ratio between corresponding sides of a drawn object and of its planned model, and of
+another variant of its kind, at which the sizes agree, if the drawing shows catalogue objects."""
 
 REAL = 2.0, 1.5
-"""The same ratio for a drawing that shows arbitrary objects of the planned kinds."""
+"""Like ``ALIKE``, for a drawing that shows arbitrary objects of the planned kinds."""
 
 UNKNOWN = 2.0
-"""The same ratio for objects that the catalogue lacks, whose sizes and shapes are guesses."""
+"""Like ``ALIKE``, for objects that are not in the catalogue, whose sizes and shapes are guesses."""
 
 TABLES = 1.3
-"""The same ratio for the sides of a table."""
+"""Maximum ratio between corresponding sides of the drawn and the planned table."""
 
 _HARDLY = 0.05  # logarithm of the factor below which no warning is given
 _VARIANTS = 4  # number of variants of a catalogue object with which sizes are compared
@@ -38,7 +38,7 @@ _SLACK = 0.008, 0.1  # tolerated difference between sides: metres, and fraction 
 LOOSE = ("group", "heap")
 """Kinds of groups without a fixed arrangement."""
 
-_SHAPE = "its outline in the drawing has other proportions"
+_SHAPE = "its outline in the drawing has different proportions"
 _FITTED = "it must fit another object"
 _ALIKE = "it must match the other place settings"
 

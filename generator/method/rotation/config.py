@@ -112,7 +112,7 @@ class RotationConfig:
         require(self, "lambda_s", "lambda_e", "lambda_a", "fit_cost", minimum=0)
         if not self.lambda_s + self.lambda_e + self.lambda_a > 0:
             raise InputError(
-                "One of RotationConfig.lambda_s, lambda_e and lambda_a must be above 0."
+                "At least one of RotationConfig.lambda_s, lambda_e and lambda_a must be above 0."
             )
         require(self, "coarse_step", above=0, maximum=np.pi)
         require(self, "separation", minimum=0, maximum=np.pi)

@@ -20,7 +20,7 @@ NEAR = float(np.deg2rad(40.0))
 """Angle within which a yaw agrees with the prior; less than an eighth of a turn."""
 
 SHARE = 0.05
-"""Candidates within this relative margin of the lowest loss cannot be distinguished by it."""
+"""Relative margin above the lowest loss within which candidates count as equally good."""
 
 
 def prior_yaw(model: Model) -> float | None:

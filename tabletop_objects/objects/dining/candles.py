@@ -120,7 +120,7 @@ def candle(look: Look) -> Shape:
 
 
 _ROOM = (0.022, 0.022, 0.22)
-"""Size of the candle for which a socket is made by default, metres."""
+"""Size of the candle for which a socket is made by default, in metres."""
 
 
 _PLAY = 0.0007  # clearance on each side of a candle, metres

@@ -20,10 +20,10 @@ from ..results import MOST_EPISODES
 from ..suites import canonical_digest, read_payload
 
 SUFFIX = ".replayed"
-"""Suffix appended to a result's name to name its mark: "lift-test_expert.json.replayed"."""
+"""Suffix of the file name of a result's mark, as in "lift-test_expert.json.replayed"."""
 
 SCHEMA = 1
-"""Version of the file format; other versions are refused."""
+"""Version of the file format; other versions are rejected."""
 
 
 @dataclass(frozen=True)
@@ -96,7 +96,8 @@ def read_mark(result: Path, digest: str) -> ReplayMark | None:
         of, seed = check_type(payload["result"], str), check_type(payload["seed"], int)
     except (ValueError, TypeError, KeyError) as error:
         raise InputError(
-            f"{path} is not a valid mark ({error!s:.300}). Remove it, or check the result again."
+            f"{path} is not a valid replay mark ({error!s:.300}). Remove it, or run `tabletopgen "
+            "bench check` again."
         ) from error
     return ReplayMark(of, seed, numbers, versions) if of == digest else None
 

@@ -17,7 +17,7 @@ from .grasps import TIP, Grasp, plan_grasps
 from .heights import surroundings
 
 HOVER = 0.06
-"""Height above a grasp from which the hand moves straight down, metres."""
+"""Height above a grasp from which the hand moves straight down, in metres."""
 
 _AROUND = 0.35  # distance from the object within which the wrist can collide, metres
 _MOST = 80  # maximum number of examined grasps

@@ -14,7 +14,7 @@ from .grasps import TIP, Grasp
 from .placement import Placer, plan_place
 
 ABOVE = 0.04
-"""Height above the place at which the held object is aligned with it, metres."""
+"""Height above the goal, in metres, at which the held object is aligned with it."""
 
 # tolerated horizontal error, and the additional error at which it stays at ABOVE, metres
 _FINE, _FUNNEL = 0.006, 0.008
@@ -43,7 +43,7 @@ class Drop:
         self._shift = np.zeros(3)
         self.opening = opening
         self.tool = self._place.tool
-        """Position of the tool at release, world frame, metres, as of the last ``follow``."""
+        """World position of the tool at release, in metres, as of the last ``follow``."""
         self.follow(world)
 
     def follow(self, world: World) -> None:

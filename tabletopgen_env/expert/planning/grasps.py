@@ -25,7 +25,7 @@ from .heights import HeightMap, VoxelSolid, move_parts, solid, surroundings
 from .runs import FINGER_HALF, PAD_HEIGHT, RISE, STEP_U, STEP_V, Slabs, find_runs, slabs
 
 TIP = 0.0088
-"""Extent of the fingertips beyond the tool centre point, metres."""
+"""Extent of the fingertips beyond the tool centre point, in metres."""
 
 _TURNS = 12
 _PAD_DEPTH, _SHAFT = 0.0125, (0.007, 0.0265)

@@ -24,7 +24,7 @@ from .grasps import TIP
 from .heights import HeightMap, parts_of, solid, surroundings
 
 RELEASE = 0.004
-"""Height above the surface at which an object is released, metres."""
+"""Height above the surface at which an object is released, in metres."""
 
 _TURNS = np.arange(-6, 6) * np.pi / 6
 _CELL = 0.005

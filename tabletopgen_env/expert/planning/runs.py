@@ -17,13 +17,13 @@ from jaxtyping import Bool, Float, Int, UInt8
 from .heights import VoxelSolid
 
 WIDEST = 0.0735
-"""Width of the widest graspable run, metres: the opening of 8 cm minus a margin for aiming."""
+"""Width of the widest graspable run, in metres: the opening of 8 cm minus a margin for aiming."""
 
 STEP_U, STEP_V, RISE = 0.0015, 0.003, 0.003
-"""Size of cells along the opening and across it, and height of levels, metres."""
+"""Size of cells along the opening and across it, and height of levels, in metres."""
 
 FINGER_HALF, PAD_HEIGHT = 0.0105, 0.0188
-"""Half a finger's width and the height of its pad, metres."""
+"""Half a finger's width and the height of its pad, in metres."""
 
 _ACROSS = np.arange(1 - np.ceil(FINGER_HALF / STEP_V), np.ceil(FINGER_HALF / STEP_V), dtype=int)
 _LINES, _LAYERS = len(_ACROSS), int(PAD_HEIGHT / RISE) + 1

@@ -46,9 +46,9 @@ _REACH = 0.62  # range of a stroke around the object, metres
 
 
 Care = Literal["free", "tight", "bold"]
-"""Where the hand must have free space.
+"""Where the hand needs free space during a stroke.
 
-"free": along the whole way. "tight": only at the start, beside the object. "bold": nowhere.
+"free": along the whole path. "tight": only at the start, beside the object. "bold": nowhere.
 """
 
 

@@ -75,7 +75,7 @@ class BatchVecEnv(VecEnv):
     def set_attr(self, attr_name: str, value: Any, indices: Any = None) -> None:
         """Raise an error, since the worlds of a batch have no attributes of their own."""
         raise InputError(
-            f"The worlds of a batch have no attributes of their own, got {attr_name!r}."
+            f"The worlds of a batch have no attributes of their own, so {attr_name!r} is unknown."
         )
 
     def env_method(
@@ -83,7 +83,7 @@ class BatchVecEnv(VecEnv):
     ) -> list[Any]:
         """Raise an error, since the worlds of a batch have no methods of their own."""
         raise InputError(
-            f"The worlds of a batch have no methods of their own, got {method_name!r}."
+            f"The worlds of a batch have no methods of their own, so {method_name!r} is unknown."
         )
 
     def env_is_wrapped(self, wrapper_class: type[Any], indices: Any = None) -> list[bool]:

@@ -54,7 +54,7 @@ class Sb3Learner:
             Exception: any exception, if a file is damaged or belongs to another model.
         """
         if not (folder / MODEL).is_file():
-            raise FileNotFoundError(f"{MODEL} is missing or not a file")
+            raise FileNotFoundError(f"{MODEL} is missing, or is not a file")
         _, weights, variables = load_from_zip_file(folder / MODEL, device="cpu", load_data=False)
         self.model.set_parameters(weights, device="cpu")
         for name, value in (variables or {}).items():

@@ -30,9 +30,9 @@ from ...world.world import World
 from ...world.worlds import WorldCache
 
 COLUMNS = ("angle", "x", "y", "z", "opening", "width", "score")
-"""Columns of a grasp: the bearing of the direction in which the fingers open, and the tool's
-position in the target's heading frame (radians; metres from the centre of the target's box, z from
-its lowest point). The other columns are as in ``Grasp``.
+"""Columns of a grasp. "angle" is the bearing, in radians, of the direction in which the fingers
+open. "x", "y" and "z" are the tool's position in the target's heading frame, in metres from the
+centre of the target's box (z from its lowest point). The others are as in ``Grasp``.
 """
 
 CHUNK = 100

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from .teacher import Teacher
 
 PATIENCE = 4.0
-"""The expert's ``patience`` in episodes in which a learner acts."""
+"""Factor on the expert's time limits (``patience``) in episodes in which a learner acts."""
 
 Policy = Callable[[Any], Float[np.ndarray, "a"]]
 """A function from an observation to an action."""

@@ -34,16 +34,16 @@ from ...observations.height_map import CELL, CELLS, STEP
 from ...parallel.core.arrays import wrap
 
 PLAN = ("x", "y", "z", "angle", "opening", "width")
-"""A grasp as a policy represents it: the tool's position in the target's heading frame, relative to
-the centre of its box (x, y) and the box's lowest corner (z), in m; the bearing of the hand's x axis
-minus a quarter turn, in that frame, in radians; the opening of the fingers, and the width between
-them when closed on the target, in m.
+"""Entries of a grasp as a policy represents it, in metres and radians. The tool's position
+is in the target's heading frame, relative to the centre of the target's box (x, y) and the box's
+lowest corner (z). "angle" is the bearing of the hand's x axis in that frame, minus a quarter turn.
+"opening" is the opening of the fingers; "width" is that of the fingers closed on the target.
 """
 
 STANDS = 4
-"""Number of the head's inputs besides the maps: position of the robot's base relative to the target
-(x, y, heading frame), height of the target's lowest corner above the table, height of the table
-above the base, in metres.
+"""Number of the head's inputs besides the maps, all in metres: the position of the robot's base
+relative to the target (x and y in the heading frame), the height of the target's lowest corner
+above the table, and the height of the table above the base.
 """
 
 _AFTER, _FAR = 1, 0.6  # layer after which the base's position is added; its unit in metres

@@ -24,10 +24,10 @@ from .look_extractor import LookExtractor, at_goal, is_held, lowest_of, ways
 from .perception import STATE, cameras_of, perceive, recall_goal
 
 MEMORY = 15
-"""Entries of a memory: 1 if there is a grasp, its age in steps, the target's centre when the grasp
-was found, the tool's position in the grasp (base frame, m), and the last three entries of
-``grasp_head.PLAN``; then the largest number of marker points seen so far, and the marker's position
-then (``perception.recall_goal``).
+"""Number of entries of the policy's memory. The entries are 1 if a grasp was found, the age of the
+grasp in steps, the target's centre when the grasp was found, the tool's position in the grasp (base
+frame, in metres), the last three entries of ``grasp_head.PLAN``, the largest number of marker
+points seen so far, and the marker's position at that time (``perception.recall_goal``).
 """
 
 _GRASP = 11  # entries of the grasp

@@ -89,7 +89,7 @@ class EpisodeDraw:
         first = self.left_out[0]
         count = len(self.left_out)
         return InputError(
-            f"{error} {count} had no valid task, for example {first.name!r}: {first.reason}"
+            f"{error} {count} scenes had no valid task, for example {first.name!r}: {first.reason}"
         )
 
     def _draw(self, seed: int, ref: SceneRef) -> DrawnEpisode:

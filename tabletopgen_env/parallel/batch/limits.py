@@ -49,7 +49,7 @@ class BatchLimits:
         require(self, "contacts", "depths", "rows", minimum=1, integer=True)
         if self.depths > self.contacts:
             raise InputError(
-                f"BatchLimits.depths must be at most contacts, got {self.depths} and "
+                f"BatchLimits.depths must be at most BatchLimits.contacts, got {self.depths} and "
                 f"{self.contacts}."
             )
 

@@ -21,7 +21,7 @@ ARRAYS = (
 """The simulator's arrays that a batch reads and writes."""
 
 FACTS = ("filled", "half_extent", "table", "yaw")
-"""Arrays of a ``SceneBank`` per scene."""
+"""Arrays of a ``SceneBank`` with one row per scene."""
 
 
 @dataclass(frozen=True, eq=False)

@@ -23,7 +23,7 @@ _FIXED = (str, bytes, type(None), np.generic, *_KINDS)  # types with immutable v
 _LARGEST = 2**53  # floats represent integers exactly up to here
 
 Leaf = tuple[tuple[str, ...], type | None]
-"""The path of a leaf in its info, and its type if it is a number, otherwise None."""
+"""The path of a value in a slot's info, and the value's type if it is a number, otherwise None."""
 
 
 @dataclass(frozen=True, eq=False)

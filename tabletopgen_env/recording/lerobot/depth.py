@@ -15,7 +15,7 @@ import numpy as np
 from jaxtyping import Float32, UInt16
 
 DEPTH_MIN, DEPTH_MAX, DEPTH_SHIFT = 0.01, 10.0, 3.5
-"""Depths of the smallest and the largest number, and the offset inside the logarithm, metres."""
+"""Depths of the smallest and the largest number, and the offset inside the logarithm, in metres."""
 
 _LARGEST = 4095
 _LOW = math.log(DEPTH_MIN + DEPTH_SHIFT)

@@ -54,13 +54,13 @@ STATE_NAMES = (
     *(f"goal.{k}" for k in ("semi_axis_x", "semi_axis_y", "yaw", "semi_axis_z")),
     *(f"goal_from_target.{k}" for k in _XYZ),
 )
-"""Entries of ``observation.environment_state``: those of the flat state after the robot's."""
+"""Names of the entries of ``observation.environment_state``, the flat state without the robot's."""
 
 HINT_NAMES = (
     *(f"grasp_hint.from_tool.{k}" for k in _XYZ),
     *(f"grasp_hint.{k}" for k in ("turn", "opening", "breadth", "rise", "stage")),
 )
-"""Further entries of ``observation.environment_state`` if there is a ``grasp_hint``."""
+"""Names of the additional entries of ``observation.environment_state`` with a ``grasp_hint``."""
 
 _COUNTERS: Mapping[str, str] = MappingProxyType(
     {

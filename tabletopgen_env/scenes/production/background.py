@@ -19,10 +19,10 @@ from ..difficulty import difficulty
 from .recipe import SceneRecipe
 
 TIMEOUT = 1800.0
-"""Time limit for the generation of a scene, seconds."""
+"""Time limit for the generation of a scene, in seconds."""
 
 LONGEST_REST = 300.0
-"""Maximum pause after consecutive failures, seconds."""
+"""Maximum pause after consecutive failures, in seconds."""
 
 NICENESS = 10
 """Nice value of the processes."""

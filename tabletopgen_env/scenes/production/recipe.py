@@ -158,6 +158,6 @@ def _generate(what: str | ScenePlan, seed: int) -> Scene:
 
     scene = generate(what, seed=seed).scene
     if scene.report is None or not scene.report.passed:
-        failures = scene.report.failure_text if scene.report else "the gate did not run"
-        raise SceneError(f"A generated scene failed its gate: {failures}.")
+        failures = scene.report.failure_text if scene.report else "the physical gate did not run"
+        raise SceneError(f"A generated scene failed its physical gate: {failures}.")
     return scene

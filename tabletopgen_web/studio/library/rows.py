@@ -22,7 +22,7 @@ def read_scene(path: Path, place: ScenePlace) -> StudioScene:
     except (BundleError, OSError) as error:
         return StudioScene(path.name, path.name[:-13], error=str(error), place=place, digest=digest)
     except (TypeError, LookupError, AttributeError):
-        message = "Its history is damaged. Create the scene again."
+        message = "The scene's history is damaged. Create the scene again."
         return StudioScene(path.name, path.name[:-13], error=message, place=place, digest=digest)
     row = replace(row, thumbnail=f"/api/scenes/{path.name}/thumbnail.png")
     values = {field.name: getattr(row, field.name) for field in fields(SceneRow)}

@@ -202,7 +202,7 @@ class SceneLibrary:
             except OSError as error:
                 raise StorageError(
                     f"{scene} cannot be prepared for the viewer: {error.strerror or error}. Free "
-                    "space there."
+                    "disk space."
                 ) from error
         return target
 

@@ -170,8 +170,8 @@ class JobStore(JobHistory):
             error = None
             if often:
                 error = (
-                    f"The studio ended {row['runs']} times while this job ran; it is not "
-                    f"restarted automatically."
+                    f"The studio stopped {row['runs']} times while this job was running, so the "
+                    "job is not restarted automatically."
                 )
             self.finish(job, "interrupted", error)
             if not often:
@@ -199,7 +199,8 @@ class JobStore(JobHistory):
         ((busy,),) = self._select("SELECT count(*) FROM jobs WHERE state IN ('queued', 'running')")
         if busy >= QUEUE_LIMIT:
             raise RefusedError(
-                429, f"{busy} jobs are waiting or running, the maximum. Wait for one to end."
+                429,
+                f"{busy} jobs are waiting or running, which is the maximum. Wait for one to end.",
             )
 
     def _keep_reserve(self) -> None:

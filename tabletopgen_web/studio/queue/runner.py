@@ -16,7 +16,7 @@ from .jobs import JobStore
 from .process import JobProcess
 
 Order = Callable[[JobRow], Mapping[str, Any]]
-"""Creates the order for a job's process; raises a TabletopError if the job cannot start."""
+"""A function that creates the order for a job's process, or raises a TabletopError."""
 
 _LOG = logging.getLogger(__name__)
 _AGAIN = 2.0  # seconds between attempts to take a job, or to record a result

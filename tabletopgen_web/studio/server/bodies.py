@@ -13,7 +13,7 @@ from generator.io.bounded import parse_object
 from ..refusals import RefusedError
 
 MOST_JSON = 64 * 2**10
-"""Default size limit of a JSON object, bytes."""
+"""Default size limit of a JSON object, in bytes."""
 
 _MAX_DEPTH = 16
 _SECONDS = 60.0  # time limit of a body

@@ -39,10 +39,10 @@ HEADERS: Mapping[str, str] = MappingProxyType(
         "cross-origin-resource-policy": "same-origin",
     }
 )
-"""Headers of every response; the page of a study has its own policy."""
+"""Headers of every response; the page of a study has its own content security policy."""
 
 WORKER = "/assets/worker-"
-"""Path prefix of the physics worker's script, which has its own policy."""
+"""Path prefix of the physics worker's script, which has its own content security policy."""
 
 _WORKER_POLICY = (  # MuJoCo's bindings create functions from strings
     "default-src 'none'; script-src 'self' 'unsafe-eval' 'wasm-unsafe-eval'; connect-src 'self'"

@@ -366,8 +366,8 @@ def test_another_thing_is_drawn_again_with_what_was_wrong(
     made = make_imager().complete(reference(), detections()["pen_1"], ())
     assert made.label == "pen"
     first, second = server.script.requests
-    assert "another shape than the cut-out" not in first.text
-    assert "another shape than the cut-out" in second.text
+    assert "differs in shape from the cut-out" not in first.text
+    assert "differs in shape from the cut-out" in second.text
 
 
 @pytest.mark.slow

@@ -98,7 +98,7 @@ MUGS = [thing(n, "mug") for n in (1, 2, 3)]
 @pytest.mark.parametrize(
     ("things", "groups", "told"),
     [
-        (MUGS, [group("row", 1, 9)], "contains the number 9, which is not an object"),
+        (MUGS, [group("row", 1, 9)], "contains 9, which is not the number of an object"),
         (MUGS, [group("row", 1, 1)], "contains an object twice"),
         (MUGS, [group("row", 1, 2), group("heap", 2, 3)], "or one of another group"),
         (MUGS, [group("circle", 1, 2, around=2)], "contains an object twice"),

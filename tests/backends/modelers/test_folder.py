@@ -228,7 +228,7 @@ def test_a_unit_makes_the_size_the_file_s_own(tmp_path, caplog):
     np.testing.assert_allclose(ask(tmp_path, units="cm").size, [0.09, 0.08, 0.1], rtol=1e-3)
     assert not caplog.text
     ask(tmp_path, units="m")
-    assert "times as large as usual" in caplog.text
+    assert "times its usual size" in caplog.text
     with pytest.raises(InputError, match=r"Folder\.units: unknown unit 'ft'"):
         Folder(str(tmp_path), units="ft")
 

@@ -125,7 +125,7 @@ def test_a_vanished_bundle_is_passed_over_with_one_warning(store) -> None:
     gone = assets_cache.find("desk_1")[0]
     kept = gone.rename(store / ".elsewhere")
     with pytest.warns(
-        RuntimeWarning, match="desk_1-.* no longer exists.*2 of 3 remaining scenes"
+        RuntimeWarning, match="desk_1-.* no longer exists.*remaining 2 of 3 scenes"
     ) as said:
         assert set(draws(source, 30)) == {"desk_0", "desk_2"}
     assert len(said) == 1

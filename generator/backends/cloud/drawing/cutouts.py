@@ -143,7 +143,7 @@ def _register(mask: Mask, cutout: Cutout) -> tuple[float, Float[np.ndarray, "2"]
     beyond = float((own & (worth < 0)).sum() / max(seen.sum(), 1))
     if covered < _COVERED or beyond > _BEYOND:
         raise Wrong(
-            f"the drawn object has another shape than the cut-out: it covers {covered:.0%} of the "
+            f"the drawn object differs in shape from the cut-out: it covers {covered:.0%} of the "
             f"cut-out, and extends beyond it by {beyond:.0%} of the cut-out's area."
         )
     return scale, shift

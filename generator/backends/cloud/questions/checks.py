@@ -76,7 +76,7 @@ _UP: dict[str, tuple[tuple[str, int], ...]] = {
     "+y": (("x", 90),),
     "-y": (("x", -90),),
 }
-"""The rotation about a fixed axis that turns each axis upward."""
+"""For each axis, the rotation about a fixed axis, in degrees, that turns it upward."""
 
 _VIEWS: dict[str, tuple[tuple[int, int, int], tuple[int, int, int]]] = {
     "+z": ((1, 0, 0), (0, 0, -1)),
@@ -86,8 +86,7 @@ _VIEWS: dict[str, tuple[tuple[int, int, int], tuple[int, int, int]]] = {
     "+y": ((-1, 0, 0), (0, -1, 0)),
     "-y": ((1, 0, 0), (0, 1, 0)),
 }
-"""For each axis towards the camera: the axis that points right, and the camera's direction.
-"""
+"""For each axis that points to the camera: the direction to the right, and the view direction."""
 
 
 def six_sides(mesh: Mesh) -> UInt8[np.ndarray, "h w 3"]:

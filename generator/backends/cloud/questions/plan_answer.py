@@ -155,7 +155,7 @@ def _groups(answer: PlanAnswer, names: dict[int, str]) -> Iterable[PlannedGroup]
         told = [*group.things, *([group.around] if group.around else [])]
         where = f"the {group.kind} of objects {', '.join(map(str, told))}"
         if strange := sorted({*told} - {*names}):
-            raise Wrong(f"{where} contains the number {strange[0]}, which is not an object.")
+            raise Wrong(f"{where} contains {strange[0]}, which is not the number of an object.")
         if len({*told}) < len(told) or taken & {*told}:
             raise Wrong(f"{where} contains an object twice, or one of another group.")
         taken |= {*told}
@@ -177,7 +177,7 @@ def _check_group(group: GroupAnswer, where: str, laid: set[int], answer: PlanAns
     counts = {g.seat.count for g in answer.groups if g.seat is not None}
     if len(counts) > 1 or group.seat.number > group.seat.count or group.seat.number in laid:
         raise Wrong(
-            f"{where}: seats must be numbered from 1 to their count without repetition, and all "
-            "settings must have the same count."
+            f"{where}: the seats must be numbered from 1 to their count, each number once, and all "
+            "settings must have the same count of seats."
         )
     laid.add(group.seat.number)

@@ -10,7 +10,7 @@ from ....scene import GroupKind, OutlineKind, RelationKind
 
 Id = Annotated[int, Field(ge=0, le=999)]
 MOST_ANSWERED = 1000
-"""Maximum number of objects in an answer, which never names more than the question shows."""
+"""Maximum number of objects in an answer to a question about given objects."""
 
 MOST_PLANNED = 40
 """Maximum number of objects in a plan, as in the embedded planner."""

@@ -38,10 +38,10 @@ DEFAULTS: Mapping[Purpose, str] = MappingProxyType(
 """Default models on OpenAI's own server.
 
 Checked on 2026-11-28 against the pages on developers.openai.com (models, prices, deprecations),
-without a key. gpt-6-luna is the official replacement for gpt-4o and gpt-4.1, which end on
-2027-01-14; it accepts pictures and answers by schema. gpt-image-1 ended on 2026-10-23;
-gpt-image-1.5 and -mini end on 2026-12-01. Of the 2.6 image models, sunburst is the one for edits;
-flare is faster at the same prices.
+without a key. gpt-6-luna is the official replacement for gpt-4o and gpt-4.1, which are shut down on
+2027-01-14; it accepts pictures and supports JSON schemas. gpt-image-1 was shut down on 2026-10-23;
+gpt-image-1.5 and -mini are shut down on 2026-12-01. Of the 2.6 image models, sunburst is intended
+for edits; flare is faster at the same prices.
 """
 
 _PROVIDERS = {

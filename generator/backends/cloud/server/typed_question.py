@@ -37,7 +37,7 @@ ANSWER = 16_384
 _LONGEST = 2**20  # maximum characters of an answer, regardless of the server
 
 _BOUNDS = ("max_completion_tokens", "max_tokens", "")
-"""Parameters that set the limit; older servers support only the second, small models none."""
+"""Request parameters that limit the tokens of an answer, tried in order; "" sets no limit."""
 
 _FORMS = ("json_schema", "json_object", "words")
 

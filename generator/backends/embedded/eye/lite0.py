@@ -13,10 +13,10 @@ import torch
 from torch import Tensor, nn
 
 CHANNELS = (24, 40, 112, 320)
-"""Channels of the maps of stride 4, 8, 16 and 32."""
+"""Numbers of channels of the feature maps of stride 4, 8, 16 and 32."""
 
 SUMMARY = 1280
-"""Channels of :meth:`Lite0.summary`."""
+"""Number of channels of :meth:`Lite0.summary`."""
 
 _STAGES = (  # kernel, stride, expansion, in, out, repeats
     (3, 1, 1, 32, 16, 1),

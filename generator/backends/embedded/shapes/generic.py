@@ -19,29 +19,31 @@ from .solids import ConvexSolid, PosedSolid, join, upright
 
 _STRICT = 0.94  # minimum overlap of a real box
 _LIKELY, _NAMED = 0.15, 0.1
-"""Weights of proportions, in expected errors: by the object's appearance, and by its kind."""
+"""Costs of proportions that are one expected error off, if the expectation is based on the object's
+appearance, and if it is based on its name."""
 
 _FARTHEST = 4.0  # expected errors; larger deviations cost no more
 
 _STRAIGHT = float(np.cos(np.deg2rad(20)))
 _DRAWN_OUT = ([1.05, 1.5, 2.5, 4.0, 6.0], [0.0, 0.1, 0.15, 0.1, 0.02])
-"""Cost of a lying outline by its ratio of length to width towards the camera."""
+"""Ratios of length to width of an outline that lies on the table, elongated towards the camera, and
+their costs."""
 
 _TOPPLING = ([3.5, 6.0, 10.0], [0.0, 0.12, 0.3])
-"""Cost of an upright object by its ratio of height to foot width."""
+"""Ratios of the height of an upright object to the width of its base, and their costs."""
 
 _SHEET = ([12.0, 30.0], [0.0, 0.06])
-"""Cost of an upright outline by its ratio of height to thickness."""
+"""Ratios of the height of an upright outline to its thickness, and their costs."""
 
 _ACCIDENT = 0.08  # cost of an elongated object that points straight away from the camera
 
 
 _PRICES = {"box": 0.0, "revolution": -0.02, "prism": 0.14, "upright": 0.1, "slices": 0.03,
            "carved": 0.045}  # fmt: skip
-"""Cost of each family, in units of silhouette overlap."""
+"""Cost of each family of shapes, in units of silhouette overlap."""
 
 _REGULAR = {"prism": 0.05, "upright": 0.09}
-"""Cost of regular extruded outlines; more objects lie than stand on their edge."""
+"""Cost of regular extruded outlines that lie ("prism") or stand on their edge ("upright")."""
 
 
 def candidates(

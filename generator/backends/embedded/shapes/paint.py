@@ -17,7 +17,8 @@ from ....scene import Mesh
 from ....scene.triangles import face_normals
 
 PROJECT = 0.72
-"""Minimum silhouette overlap for projecting pixels; below it, only colours are transferred."""
+"""Minimum overlap of the silhouettes at which the picture's pixels are projected onto the model;
+below it, only colours are transferred."""
 
 _ALIKE = 30.0  # maximum grey level difference between mirrored points of a texture
 _TWIN = 0.03  # maximum distance of a mirrored point from the surface, relative to the object's size

@@ -56,13 +56,13 @@ class Masker(Protocol):
 
 
 SAME = 0.6
-"""Overlap (intersection over union) above which two boxes with the same label are one object."""
+"""Overlap (IoU) above which two boxes with the same label count as one object."""
 
 ALIKE = 0.8
-"""Overlap above which two boxes or masks with different labels are one object."""
+"""Overlap above which two boxes or masks with different labels count as one object."""
 
 HOLE = 0.02
-"""A hole below this fraction of its mask is filled; larger ones (a handle) are real."""
+"""Holes smaller than this fraction of their mask are filled; larger ones (in handles) are kept."""
 
 _NAMED = 0.5  # overlap above which a better word applies to a detection
 _WITHIN = 0.85  # fraction of a mask within another, above which it is a part of it

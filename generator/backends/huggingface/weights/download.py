@@ -20,7 +20,7 @@ from .pins import Pin
 HOW = "Run: pip install 'tabletopgen[huggingface]'"
 
 _STILL_SECONDS, _STILL_BYTES = 120.0, 2**16
-"""A download stalls if it receives fewer bytes than this in this many seconds."""
+"""A download counts as stalled if it receives fewer bytes than this in this many seconds."""
 
 _POLL = 0.2  # seconds between checks of the process
 _MOST_SAID = 2**14  # maximum size of the process's final message in bytes
@@ -141,8 +141,8 @@ def _error_of(process: subprocess.Popen[bytes], name: str) -> TabletopError:
         return kind(str(said["message"]))
     except (BackendError, KeyError):
         return BackendError(
-            f"{what} its process exited with code {process.returncode}. Partial downloads are "
-            "kept; run the command again."
+            f"{what} the download process exited with code {process.returncode}. Partial downloads "
+            "are kept; run the command again."
         )
 
 

@@ -28,7 +28,9 @@ def pull(pin: Pin, folder: Path, fetch: Callable[[Pin, Path], None] = download_a
     what = f"huggingface, pull of {pin.name}:"
     module("huggingface_hub", "huggingface", HOW)
     if any(Path(name).suffix in PICKLES for name in pin.files):
-        raise BackendError(f"{what} its files include a pickle; only safetensors are supported.")
+        raise BackendError(
+            f"{what} the model's files include a pickle; only safetensors are supported."
+        )
     try:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:
@@ -38,7 +40,9 @@ def pull(pin: Pin, folder: Path, fetch: Callable[[Pin, Path], None] = download_a
     fetch(pin, folder)
     home = snapshot(pin, folder)
     if absent := missing(pin, folder):
-        raise BackendError(f"{what} the server has no {', '.join(absent)} at {pin.revision}.")
+        raise BackendError(
+            f"{what} the server has no {', '.join(absent)} at revision {pin.revision}."
+        )
     _check(pin, home, what)
     return home
 

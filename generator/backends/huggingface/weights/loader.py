@@ -36,8 +36,8 @@ def load_model(pin: Pin, folder: Path, what: str, *, device: str = "cpu") -> Any
     kind = getattr(transformers, pin.kind, None)
     if kind is None:
         raise BackendError(
-            f"{what} the installed transformers {transformers.__version__} has no {pin.kind}. "
-            f"{_HOW} --upgrade"
+            f"{what} the installed transformers {transformers.__version__} has no class "
+            f"{pin.kind}. {_HOW} --upgrade"
         )
     home = find_model(pin, folder, what)
     try:

@@ -29,7 +29,7 @@ _COMPOUNDED = frozenset(["rest", "stand", "set", "kit", "press", "mount", "guard
 """Nouns that name an object only as part of a compound: "foot rest"."""
 
 _AMOUNTS = {"heap": (5, 5), "pyramid": (6, 6)}
-"""Number of objects in an arrangement if the text does not state it; three for all others."""
+"""Assumed number of objects in an arrangement without a stated number; 3 in all others."""
 
 _POSITIONS = frozenset(
     ["left", "right", "back", "front", "middle", "center", "centre", "top", "bottom", "upper",

@@ -25,15 +25,15 @@ FIXED = "fixed"
 """Name of the body with the geoms of table and pedestal."""
 
 FLOOR_HALF = (20.0, 20.0, 0.1)
-"""Half extents of the floor, metres. The floor is a box, since an absent geom a kilometre below a
+"""Half extents in metres of the floor. The floor is a box, since an absent geom a kilometre below a
 plane would be in contact with it.
 """
 
 PARKED, PARKED_APART = 50.0, 3.0
-"""Position of absent bodies, and their spacing, metres."""
+"""Position of absent bodies, and their spacing, in metres."""
 
 TINY = 1e-6
-"""Size of absent geoms, metres."""
+"""Size of absent geoms, in metres."""
 
 _FILLER = "filler"
 _TETRAHEDRON = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], np.float32) / 100
