@@ -9,7 +9,7 @@ PYTEST := $(BIN)/python -m pytest -n $(WORKERS) --dist worksteal
 # Modules are compiled once, not anew by each process that the tests start.
 unexport PYTHONDONTWRITEBYTECODE
 
-.PHONY: demo check test test-fast test-quick test-catalogue lint format types web docs build clean
+.PHONY: demo check test test-all test-fast test-quick test-catalogue lint format types web docs build clean
 
 $(BIN)/python:
 	$(PYTHON) -m venv $(VENV)
@@ -39,7 +39,7 @@ demo: $(VENV)/.installed  ## a text and a picture to bundles, the Panda moves an
 check: $(VENV)/.installed-dev  ## lint, types and the quick tests, side by side
 	$(MAKE) --jobs=3 --output-sync=target lint types test-quick
 
-test: $(VENV)/.installed-dev  ## the whole test suite; shapes and types of arrays are checked in its fast part
+test: $(VENV)/.installed-dev  ## the test suite; shapes and types of arrays are checked in its fast part
 	$(MAKE) test-fast
 	$(PYTEST) -m slow
 
@@ -48,6 +48,9 @@ test-fast: $(VENV)/.installed-dev $(if $(shell command -v npm),web)
 
 test-quick: $(VENV)/.installed-dev  ## tests of less than a second each (tests/quick.py)
 	$(PYTEST) -m "not slow" --quick
+
+test-all: $(VENV)/.installed-dev  ## everything: all shipped bundles, categories and hostile inputs
+	TABLETOPGEN_EXHAUSTIVE=1 TABLETOPGEN_EVERY_CATEGORY=1 $(MAKE) test
 
 test-catalogue: $(VENV)/.installed-dev  ## checks of every category; TABLETOPGEN_RECORD_PROOFS=1 records what passes
 	TABLETOPGEN_EVERY_CATEGORY=1 $(PYTEST) tests/catalogue

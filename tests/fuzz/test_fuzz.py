@@ -6,12 +6,17 @@ A failure names the case; ``benchmarks/fuzz.py --kind K --case N --seed S`` runs
 from collections.abc import Iterator
 
 import pytest
+from extent import count
 from hostile.harness import Worker, report, run_cases
 from hostile.targets import KINDS
 
-CASES = 300
-IN_CHILDREN = {"mjcf": 30, "glb-scene": 30, "poses": 30, "limited-model": 30}
+CASES = count(300, 60)
+IN_CHILDREN = count(30, 8)
 """Cases of kinds of which each starts a child process, for about a second."""
+
+KINDS_IN_CHILDREN = (
+    "mjcf", "glb-scene", "poses", "limited-model", "tencent-answer", "hunyuan3d-answer",
+)  # fmt: skip
 
 
 @pytest.fixture(scope="module")
@@ -24,5 +29,5 @@ def worker() -> Iterator[Worker]:
 @pytest.mark.timeout(1200)
 @pytest.mark.parametrize("kind", KINDS)
 def test_hostile_input_ends_well(worker: Worker, kind: str) -> None:
-    said = report(run_cases(worker, kind, 0, range(IN_CHILDREN.get(kind, CASES))))
+    said = report(run_cases(worker, kind, 0, range(IN_CHILDREN if kind in KINDS_IN_CHILDREN else CASES)))
     assert not said, said
