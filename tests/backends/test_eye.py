@@ -105,7 +105,8 @@ def test_weights_go_to_disk_and_back(tmp_path):
 @pytest.mark.parametrize(
     ("categories", "temperature", "why"),
     [
-        ("[" * 9000, "1", "deeper"), ("[1]", "1", "a string"), ('{"mug": 1}', "1", "not a list"),
+        ("[" * 9000, "1", "deeper"), ("[1]", "1", "a string"),
+        ('{"mug": 1}', "1", "must be a list"),
         (r'["mug\u001b[2J"]', "1", "cannot be printed"), ('["mug"]', "nan", "temperature"),
         (f'["{"x" * 70_000}"]', "1", "bytes of JSON"), ('["mug"]', "-1", "temperature"),
     ],

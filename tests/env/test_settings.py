@@ -123,7 +123,9 @@ def test_every_mode_can_be_asked_for_as_a_whole(mode) -> None:
 
 def test_a_group_as_a_dict_has_its_fields_alone() -> None:
     assert read_settings({"action": {"gripper": "binary"}}).action.gripper == "binary"
-    with pytest.raises(InputError, match=r"RenderConfig has no 'render_mode'.*Available: mode"):
+    with pytest.raises(
+        InputError, match=r"RenderConfig has no setting 'render_mode'.*Available: mode"
+    ):
         read_settings({"render": {"render_mode": "human"}})
 
 

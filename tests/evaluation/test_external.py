@@ -137,9 +137,9 @@ def test_things_rest_on_a_tables_top_and_not_on_its_rim(folder: Path, turned: bo
 @pytest.mark.parametrize(
     ("parts", "words"),
     [
-        ([trimesh.creation.cone(radius=0.5, height=0.7)], "rises 70 cm"),
+        ([trimesh.creation.cone(radius=0.5, height=0.7)], "extends 70 cm"),
         ([trimesh.creation.icosphere(radius=0.4)], "no level surface"),
-        ([TOP, *LEGS, block((1.2, 0.02, 0.3), (0, 0.34, 0.89))], "rises 30 cm"),
+        ([TOP, *LEGS, block((1.2, 0.02, 0.3), (0, 0.34, 0.89))], "extends 30 cm"),
     ],
 )
 def test_a_table_without_a_plain_top_is_refused(folder: Path, parts: list[Any], words: str) -> None:

@@ -141,7 +141,7 @@ def test_an_interrupted_run_resumes(
 @pytest.mark.parametrize(
     ("change", "said"),
     [
-        (lambda d: d.update(schema=9), "schema 9"),
+        (lambda d: d.update(schema=9), "schema is 9"),
         (lambda d: d.update(scene="0" * 64), "another scene"),
         (lambda d: d["objects"]["box_1"]["quality"].append(0.5), "shape"),
         (lambda d: d["objects"]["box_1"]["quality"].__setitem__(0, 1.5), "must be in"),

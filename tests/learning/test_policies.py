@@ -103,7 +103,7 @@ def test_the_card_says_where_it_is_from(small, policy: TrainedPolicy, table: str
 
 def test_wrong_observations_are_refused(policy: TrainedPolicy) -> None:
     for wrong in (np.zeros(7), np.zeros((1, 1, 279)), {"observation": np.zeros(279)}, 3.0):
-        with pytest.raises(InputError, match="The policy needs"):
+        with pytest.raises(InputError, match="The policy requires"):
             policy.predict(wrong)
     with pytest.raises(InputError, match="deterministic=True"):
         policy.predict(np.zeros(279), deterministic=False)
@@ -159,8 +159,11 @@ def test_a_card_that_is_not_sound_is_refused(policy, tmp_path: Path, changes, wh
     [
         (None, "has no 'tabletopgen_policy'"),
         ({"format": "pt"}, "has no 'tabletopgen_policy'"),
-        ({KEY: json.dumps({"format": FORMAT + 1})}, "version is 2, this package reads version 1"),
-        ({KEY: json.dumps({"format": True})}, "version is True, this package reads version 1"),
+        (
+            {KEY: json.dumps({"format": FORMAT + 1})},
+            "version is 2, but this package reads version 1",
+        ),
+        ({KEY: json.dumps({"format": True})}, "version is True, but this package reads version 1"),
         ({KEY: json.dumps({"format": FORMAT})}, "has unexpected keys"),
         ({KEY: "[" * 5000}, "not a valid policy"),
         ({KEY: "[NaN]"}, "NaN"),

@@ -130,7 +130,8 @@ def test_one_of_your_own_is_a_file(tmp_path: Path) -> None:
     path.write_text("task = 'Push'\nalgorithm = 'ppo'\nnetwork = {layers = [8]}\n")
     assert (recipe(str(path)).name, recipe(str(path)).network.layers) == ("mine", (8,))
     for text, why in (
-        ("task = ", "not valid TOML"), ("steps = inf", "not a finite number"), ("", "needs 'task'"),
+        ("task = ", "not valid TOML"), ("steps = inf", "not a finite number"),
+        ("", "setting 'task' is missing"),
         ("options = {a = [2026-01-01]}", "2026-01-01 is a date"),
         ("env = {a = 07:32:00}", "a time"),
     ):  # fmt: skip
@@ -151,7 +152,7 @@ def test_one_of_your_own_is_a_file(tmp_path: Path) -> None:
         ({"steps": 1.5}, "whole number"),
         ({"envs": True}, "envs"),
         ({"processes": 0}, "processes"),
-        ({"env": {"scenes": "/etc"}}, "has no 'scenes'"),
+        ({"env": {"scenes": "/etc"}}, "has no setting 'scenes'"),
         ({"env": {"actoin": "x"}}, "Did you mean 'action'"),
         ({"network": {"layer": [1]}}, "Did you mean 'layers'"),
         ({"network": {"layers": [10**9]}}, "layers"),

@@ -265,7 +265,7 @@ def test_what_a_top_view_drops_is_placed_and_told(check):
      {"table_limit": float("nan")}],
 )  # fmt: skip
 def test_settings_out_of_range_are_refused(wrong):
-    with pytest.raises(InputError, match="AlignmentConfig needs"):
+    with pytest.raises(InputError, match=r"^AlignmentConfig\.\w+ must be"):
         AlignmentConfig(**wrong)
 
 

@@ -232,7 +232,7 @@ def test_an_empty_table_is_a_scene() -> None:
      {"topple": -0.5}],
 )  # fmt: skip
 def test_settings_out_of_range_are_refused(wrong):
-    with pytest.raises(InputError, match="AssemblyConfig needs"):
+    with pytest.raises(InputError, match=r"^AssemblyConfig\.\w+ must be"):
         AssemblyConfig(**wrong)
 
 

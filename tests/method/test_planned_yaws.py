@@ -95,7 +95,7 @@ def test_members_of_groups_are_arranged_as_a_whole() -> None:
     draft = draft_scene(*facts, 0, ALIKE, {}, turn)
     assert asked == [] and not {*forks} & {*draft.yaws}
     reasons = [w for w in draft.warnings if w.split()[0] in forks]
-    assert ["other proportions" in w for w in sorted(reasons)].count(True) == 1
+    assert ["different proportions" in w for w in sorted(reasons)].count(True) == 1
     assert sum("match the other place settings" in w for w in reasons) == 1
 
 

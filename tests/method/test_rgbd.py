@@ -89,7 +89,7 @@ def test_intrinsics_are_finite_and_positive(numbers):
 
 
 def test_a_reference_holds_both_or_neither():
-    with pytest.raises(InputError, match="together"):
+    with pytest.raises(InputError, match="both depth and intrinsics, or neither"):
         Reference(PICTURE, depth=DEPTH)
 
 

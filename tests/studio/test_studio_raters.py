@@ -112,7 +112,7 @@ def test_answers_come_from_the_page_alone_and_are_complete(
                {"study": made[2].study})  # fmt: skip
     for wrong in ({}, {"rater": "ann"}, *(said | change for change in changes)):
         answer = rater.post(path, json=wrong, headers=OWN)
-        assert answer.status_code == 422 and "do not fit" in answer.json()["error"]
+        assert answer.status_code == 422 and "do not match the study" in answer.json()["error"]
     assert not list((tmp_path / "studio" / "answers").iterdir())
     for _ in range(3):  # sent again
         assert rater.post(path, json=said, headers=OWN).json() == {"answers": 1}

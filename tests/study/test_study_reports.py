@@ -163,8 +163,8 @@ HOSTILE: dict[str, tuple[Change, str]] = {
     "no rater": (lambda f: f.pop("rater"), "entries"),
     "rater's path": (lambda f: f.update(rater="../../etc"), "16 hexadecimal"),
     "language": (lambda f: f.update(language="<script>"), "language"),
-    "negative time": (lambda f: f.update(seconds=-1), "seconds"),
-    "no time": (lambda f: f.update(seconds=True), "seconds"),
+    "negative time": (lambda f: f.update(seconds=-1), "duration"),
+    "no time": (lambda f: f.update(seconds=True), "duration"),
     "scenes": (lambda f: f.update(scenes={}), "must be a list"),
     "too few": (lambda f: f["scenes"].pop(), "5 of 6 scenes"),
     "twice": (lambda f: f["scenes"].__setitem__(1, _first(f)), "twice"),
@@ -294,7 +294,10 @@ def test_wrong_usage_is_told(key_file: Path, tmp_path: Path, shell: Shell) -> No
     new = shell.of("study", "new")
     assert "METHOD=FOLDER" in new("ours", "b=c", "--out", str(tmp_path / "a.html"), code=2).err
     assert ".html" in new("a=b", "c=d", "--out", str(tmp_path / "a.txt"), code=2).err
-    assert "a method" in new("a=b", "a=d", "--out", str(tmp_path / "a.html"), code=2).err.lower()
+    assert (
+        "two methods have the same name"
+        in new("a=b", "a=d", "--out", str(tmp_path / "a.html"), code=2).err.lower()
+    )
     missing = str(tmp_path / "none.key.json")
     assert "The key" in shell("study", "report", "x.json", "--key", missing, code=2).err
     empty = tmp_path / "empty"

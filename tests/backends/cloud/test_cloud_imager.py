@@ -124,7 +124,7 @@ def test_options_that_a_server_does_not_know_are_left_out(
 
 
 def test_a_form_that_is_none_is_refused(make_imager: Make) -> None:
-    with pytest.raises(BackendError, match=r"no form 'seadream'\. Did you mean 'seedream'"):
+    with pytest.raises(BackendError, match=r"form 'seadream' is unknown\. Did you mean 'seedream'"):
         make_imager(form="seadream")
 
 

@@ -356,7 +356,7 @@ def test_methods_are_ranked_by_letters(server: Running, reasoner: CloudReasoner)
     assert reasoner.rank(image, methods) == ("theirs", "ours")
     assert "ours" not in server.script.requests[0].text
     always(server, {"order": ["B", "B"]})
-    with pytest.raises(BackendError, match="A, B, each once"):
+    with pytest.raises(BackendError, match="each of A, B once"):
         reasoner.rank(image, methods)
 
 

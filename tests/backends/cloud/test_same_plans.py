@@ -106,8 +106,16 @@ MUGS = [thing(n, "mug") for n in (1, 2, 3)]
         (MUGS, [group("row", 1, 2, seat=(1, 2))], "a setting must have a seat"),
         (MUGS, [group("setting", 1, 2)], "a setting must have a seat"),
         (MUGS, [group("setting", 1, 2, seat=(3, 2))], "seats must be numbered"),
-        (MUGS, [group("setting", 1, seat=(1, 2)), group("setting", 2, seat=(1, 2))], "each once"),
-        (MUGS, [group("setting", 1, seat=(1, 2)), group("setting", 2, seat=(2, 3))], "one count"),
+        (
+            MUGS,
+            [group("setting", 1, seat=(1, 2)), group("setting", 2, seat=(1, 2))],
+            "each number once",
+        ),
+        (
+            MUGS,
+            [group("setting", 1, seat=(1, 2)), group("setting", 2, seat=(2, 3))],
+            "the same count",
+        ),
         (MUGS, [group("setting", 1, 2, seat=(1, 10**9))], "groups.0.seat.count"),
         (MUGS, [group("spiral", 1, 2)], "groups.0.kind"),
         (MUGS, [group("row")], "groups.0.things"),

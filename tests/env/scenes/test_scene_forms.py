@@ -127,7 +127,7 @@ def test_one_scene_in_memory_is_one_scene() -> None:
         ("refreshing:ein Tisch mit einer Tasse und einem Buch", "English"),
         (["fresh:a desk"], "'fresh:a desk' is not a fixed scene and cannot be part of a list"),
         (["starter", "refreshing"], "'refreshing' is not a fixed scene"),
-        ([], "list is empty"),
+        ([], "list of scenes must not be empty"),
         (5, "scenes has type int; pass .*'starter:train'"),
         ([5], "cannot contain an item of type int"),
     ],

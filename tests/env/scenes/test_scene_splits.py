@@ -303,12 +303,12 @@ def test_scenes_are_looked_at_once_and_a_copy_looks_for_itself() -> None:
 @pytest.mark.parametrize(
     ("side", "settings", "message"),
     [
-        ("test", {}, "no side 'test'. Available: held_out, train"),
+        ("test", {}, "Unknown Split.side 'test'. Available: held_out, train"),
         ("heldout", {}, "Did you mean 'held_out'"),
-        ("train", {"by": "colour"}, "no by 'colour'. Available: category, digest"),
+        ("train", {"by": "colour"}, "Unknown Split.by 'colour'. Available: category, digest"),
         ("train", {"share": 0.0}, r"in \(0, 1\), got 0"),
         ("train", {"share": 20}, r"in \(0, 1\), got 20"),
-        ("train", {"by": "category"}, "require each other"),
+        ("train", {"by": "category"}, "if, and only if"),
         ("train", {"categories": ("mug",)}, "if, and only if, by is 'category'"),
         ("train", {"by": "category", "categories": ("mugg",)}, "Unknown category 'mugg'.*'mug'"),
         (
