@@ -8,16 +8,7 @@ from ...kit import surfaces
 from ...kit.parts import box_part, cylinder_part, frame_parts, hull_of
 from ...kit.primitives import facing, side_view, vessel
 from ...kit.shapes import Shape, category, shape
-from ...kit.solids import (
-    Solid,
-    block,
-    box,
-    cylinder,
-    join,
-    lathe,
-    torus,
-    tube,
-)
+from ...kit.solids import Solid, block, box, cylinder, join, lathe, torus, tube
 from ...kit.surfaces import Look, tint_color
 from ...values import ConvexPart, Extent, Holder, Slot, read_room
 

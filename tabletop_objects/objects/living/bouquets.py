@@ -10,16 +10,7 @@ from ...kit import surfaces
 from ...kit.outlines import ellipse
 from ...kit.parts import flat_foot, hull_of, hull_part
 from ...kit.primitives import blade, limb, rod
-from ...kit.shapes import (
-    Pieces,
-    Shape,
-    at_rest,
-    category,
-    keep_still,
-    put_down,
-    settle,
-    shape,
-)
+from ...kit.shapes import Pieces, Shape, at_rest, category, keep_still, put_down, settle, shape
 from ...kit.solids import Solid, ellipsoid, join, loft, torus, tube
 from ...kit.surfaces import RGB, Look, tint_color
 from .flowers import layered_head

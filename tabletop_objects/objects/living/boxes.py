@@ -7,13 +7,7 @@ import numpy as np
 from ...kit import prints, surfaces
 from ...kit.materials import BRASS_TONE, dye, glaze_tile, leather, plastic, steel
 from ...kit.outlines import ellipse, rectangle, smooth
-from ...kit.parts import (
-    box_part,
-    cylinder_part,
-    frame_parts,
-    hull_of,
-    hull_part,
-)
+from ...kit.parts import box_part, cylinder_part, frame_parts, hull_of, hull_part
 from ...kit.primitives import at_box, ball, drum, pad, plate, straight
 from ...kit.shapes import Pieces, Shape, category, from_pieces, put_down, shape
 from ...kit.solids import (

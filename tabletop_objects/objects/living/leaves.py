@@ -10,15 +10,7 @@ from ...kit import surfaces
 from ...kit.outlines import smooth
 from ...kit.parts import above, flat_foot, hull_part
 from ...kit.primitives import ball, blade, limb, rod
-from ...kit.shapes import (
-    Pieces,
-    Shape,
-    category,
-    keep_still,
-    put_down,
-    settle,
-    shape,
-)
+from ...kit.shapes import Pieces, Shape, category, keep_still, put_down, settle, shape
 from ...kit.solids import Solid, ellipsoid, join, lathe, prism, torus, tube
 from ...kit.surfaces import Look, streaks, tint_color
 

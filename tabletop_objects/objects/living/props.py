@@ -21,18 +21,7 @@ from ...kit.shapes import (
     shape,
     vary,
 )
-from ...kit.solids import (
-    Solid,
-    block,
-    box,
-    cylinder,
-    ellipsoid,
-    join,
-    lathe,
-    prism,
-    torus,
-    tube,
-)
+from ...kit.solids import Solid, block, box, cylinder, ellipsoid, join, lathe, prism, torus, tube
 from ...kit.surfaces import RGB, Look, plain, readable_on, tint_color
 from .religious_items import tome
 
