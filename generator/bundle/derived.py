@@ -85,9 +85,9 @@ def check_starts(model: mujoco.MjModel, name: str) -> None:
         raise unsimulatable(name, str(error), _AT_START) from error
     said = [*list_warnings(data)]
     if data.ncon > _MAX_CONTACTS:
-        said.append(f"it has {data.ncon} contacts; at most {_MAX_CONTACTS} are allowed")
+        said.append(f"the scene has {data.ncon} contacts; at most {_MAX_CONTACTS} are allowed")
     if not np.isfinite(data.qacc).all():
-        said.append("some of its forces are not finite")
+        said.append("some contact forces are not finite")
     if said:
         raise unsimulatable(name, said[0], _AT_START)
 

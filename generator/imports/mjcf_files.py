@@ -168,7 +168,7 @@ class _Reader:
         if found[-1] is None:
             raise InputError(
                 f"The model refers to the file {given[:200]!r}, which is outside its folder. Pass "
-                "a folder that contains both (--root)."
+                "a folder that contains the model and the file (--root)."
             )
         return found[-1]
 

@@ -171,7 +171,7 @@ def _suites(payload: dict[str, Any]) -> TaskSuites:
     """Parse the suites in a JSON object; raise ValueError, TypeError or KeyError if invalid."""
     _check_keys(payload, _KEYS, "it")
     if check_type(payload["schema"], int) != SCHEMA:
-        raise ValueError(f"its schema is {payload['schema']!r}, not {SCHEMA}")
+        raise ValueError(f"the schema is {payload['schema']!r}, not {SCHEMA}")
     task = check_type(payload["task"], str)
     if task not in NAMES:
         raise ValueError(f"unknown task {task!r}")
@@ -252,7 +252,7 @@ def _levels(entries: list[Any]) -> tuple[SuiteLevel, ...]:
         name, low, high = check_type(entry, list)
         levels.append(SuiteLevel(printable(name, "A level", InputError), _share(low), _share(high)))
     if not levels or not all(level.low < level.high for level in levels):
-        raise ValueError("its levels are not valid ranges")
+        raise ValueError("the levels are not valid ranges")
     return tuple(levels)
 
 

@@ -96,7 +96,7 @@ def read_detector(path: Path = PATH) -> GraspDetector:
 
     try:
         if path.stat().st_size > _MAX_BYTES:
-            raise ValueError(f"it has more than {_MAX_BYTES} bytes")
+            raise ValueError(f"the file has more than {_MAX_BYTES} bytes")
         weights = {key: value.astype(np.float32) for key, value in load(path.read_bytes()).items()}
         if {key: value.shape for key, value in weights.items()} != _shapes():
             raise ValueError("it belongs to another network")

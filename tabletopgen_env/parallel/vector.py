@@ -288,8 +288,8 @@ class TabletopVectorEnv(VectorEnv[Any, Any, Any]):
         if isinstance(self._runner, ThreadSlots):
             return self._runner.slots.envs
         raise InputError(
-            "The environments of these slots are in other processes; use call, get_attr, set_attr "
-            "or visit."
+            "The environments of this vector environment are in other processes; use call, "
+            "get_attr, set_attr or visit."
         )
 
     @property

@@ -100,7 +100,7 @@ def _claim(part: Path, key: Mapping[str, Any]) -> None:
     if other:
         raise InputError(
             f"The interrupted recording in {part} has different settings: {'; '.join(other)}. Use "
-            "the same settings, or remove the recording."
+            "the original settings, or remove the recording."
         )
 
 

@@ -84,7 +84,7 @@ def _fixed_reason(world: World, obj: Object) -> str | None:
     if resting_height(obj) > SLENDER * grasp_width(obj) or tips(obj):
         return "it would topple or roll"
     if resting_height(obj) < 0.01:
-        return "it is too flat for the fingers"
+        return "the object is too flat for the fingers"
     return blocking_reason(world, obj)
 
 

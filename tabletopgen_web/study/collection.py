@@ -168,10 +168,12 @@ def _read_inputs(folder: Path, ignored: list[str]) -> list[_Input]:
             continue
         one = _Input(path.stem, digest_of(read_picture(path)), path, False)
         if (other := known.setdefault(one.digest, one)) is not one:
-            raise InputError(f"{str(path)!r} is the same picture as {other.stem!r}; remove one.")
+            raise InputError(
+                f"{str(path)!r} is the same picture as {other.stem!r}; remove one of them."
+            )
     stems = [one.stem for one in known.values()]
     if twice := next((s for s in stems if stems.count(s) > 1), None):
-        raise InputError(f"{str(folder)!r} has two pictures named {twice!r}; rename one.")
+        raise InputError(f"{str(folder)!r} has two pictures named {twice!r}; rename one of them.")
     if not known:
         raise InputError(f"--inputs {str(folder)!r} contains no pictures. Add SCENE.png files.")
     return list(known.values())

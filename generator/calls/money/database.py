@@ -189,7 +189,7 @@ def _owners_of(folder: Path) -> Path:
     owners = folder / _OWNERS
     if owners.is_symlink():
         raise StorageError(
-            f"{owners} is a link; the lock files must be in a real folder next to their database."
+            f"{owners} is a link; the lock files must be in a real folder next to the database."
         )
     return owners
 

@@ -217,9 +217,13 @@ def _faces(header: Header, maximum: int) -> str | None:
     if not 0 < faces <= maximum:
         return f"has {faces} triangles; 1 to {maximum} are allowed."
     if vertices > 3 * maximum:
-        return f"has {vertices} vertices; at most {3 * maximum} are allowed. Remove unused ones."
+        return (
+            f"has {vertices} vertices; at most {3 * maximum} are allowed. Remove unused vertices."
+        )
     if parts > bounds.MOST_PARTS:
-        return f"has {parts} primitives; at most {bounds.MOST_PARTS} are allowed. Merge some."
+        return (
+            f"has {parts} primitives; at most {bounds.MOST_PARTS} are allowed. Merge some of them."
+        )
     return None
 
 

