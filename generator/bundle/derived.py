@@ -96,8 +96,8 @@ def _parse(raw: bytes, maximum: int) -> ET.Element:
     """Parse XML of at most ``maximum`` bytes; reject declarations, entities and comments."""
     if len(raw) > maximum:
         raise BundleError(
-            f"scene.xml does not match scene.json: it has {len(raw)} bytes; at most {maximum} are "
-            "expected."
+            f"scene.xml does not match scene.json: scene.xml has {len(raw)} bytes; at most "
+            f"{maximum} are expected."
         )
     if b"<!" in raw or b"<?" in raw:
         raise BundleError(
@@ -114,7 +114,7 @@ def _difference(wanted: ET.Element, found: ET.Element) -> str:
     name = wanted.get("name", "")[:80]
     where = f"<{wanted.tag}{f' name={name!r}' if name else ''}>"
     if wanted.tag != found.tag:
-        return f"it has {found.tag[:80]!r} in place of {where}"
+        return f"the file has {found.tag[:80]!r} in place of {where}"
     if wanted.attrib.keys() != found.attrib.keys():
         return f"{where} has different attributes"
     for key, value in wanted.attrib.items():

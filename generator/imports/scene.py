@@ -126,8 +126,8 @@ def list_outcomes(scene: Scene) -> tuple[ImportOutcome, ...]:
     what = f"{scene.name}: provenance.config[{_OUTCOMES!r}]"
     if not isinstance(listed, list | tuple) or len(listed) > _MOST_OUTCOMES:
         raise BundleError(
-            f"{what} must be a list of at most {_MOST_OUTCOMES} outcomes of objects. Import the "
-            "scene again."
+            f"{what} must be a list of at most {_MOST_OUTCOMES} import outcomes. Import the scene "
+            "again."
         )
     entries = enumerate(cast("Sequence[object]", listed))
     return tuple(ImportOutcome(**arguments(ImportOutcome, o, f"{what}[{k}]")) for k, o in entries)

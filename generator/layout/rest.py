@@ -183,7 +183,7 @@ def _resting_cost(
 
 
 _FEW = (2, 3)
-"""Numbers of round objects that lie side by side in a vessel; of a larger number, one lies in the
+"""Numbers of round objects that lie side by side in a vessel; with more objects, one lies in the
 centre."""
 
 

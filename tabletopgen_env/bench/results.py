@@ -196,12 +196,12 @@ def _result(payload: dict[str, Any]) -> BenchResult:
         raise ValueError(f"the schema is {payload['schema']!r}, not {SCHEMA}")
     listed = check_type(payload["episodes"], list)
     if not 0 < len(listed) <= MOST_EPISODES:
-        raise ValueError(f"it lists {len(listed)} episodes")
+        raise ValueError(f"the result lists {len(listed)} episodes")
     rows = tuple(read_row(check_type(entry, dict)) for entry in listed)
     if (payload["solved"], payload["played"]) != (sum(r.solved for r in rows), len(rows)):
         raise ValueError("the totals do not match the episodes")
     if len({row.key for row in rows}) < len(rows):
-        raise ValueError("it lists an episode twice")
+        raise ValueError("the result lists an episode twice")
     told = {
         name: printable(payload[name], f"Its {name}", InputError)
         for name in ("suite", "version", "suites", "task")

@@ -188,7 +188,7 @@ def _decode(payload: dict[str, Any]) -> Certificate:
     }
     listed = check_type(payload["instances"], list)
     if len(listed) > MOST_INSTANCES:
-        raise ValueError(f"it lists more than {MOST_INSTANCES} instances")
+        raise ValueError(f"the certificate lists more than {MOST_INSTANCES} instances")
     return Certificate(
         scene, asked, versions, tuple(_decoded_instance(check_type(i, dict), asked) for i in listed)
     )

@@ -78,7 +78,7 @@ def _nothing_certified(world: World, name: TaskName, listed: int, episodes: int)
         why = f"the certificate has no instance of {asked}"
     elif episodes < STARTS:
         why = (
-            f"its certificate was made with {episodes} episodes per instance, but fewer than "
+            f"the certificate was made with {episodes} episodes per instance, but fewer than "
             f"{STARTS} certify nothing"
         )
     else:

@@ -245,7 +245,7 @@ def _decode_file(payload: dict[str, Any]) -> GraspFile:
     }
     objects = check_type(payload["objects"], dict)
     if len(objects) > bundle.BOUNDS.objects:
-        raise ValueError(f"it lists more than {bundle.BOUNDS.objects} objects")
+        raise ValueError(f"the file lists more than {bundle.BOUNDS.objects} objects")
     labels = {
         printable(name, "An object", BundleError): decode_labels(entry)
         for name, entry in objects.items()

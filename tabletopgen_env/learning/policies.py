@@ -286,7 +286,7 @@ def _check_answers(kept: list[float], own: list[float]) -> None:
     """Raise ValueError if a network's outputs differ from the saved ones."""
     if len(kept) != len(own) or not np.allclose(kept, own, rtol=1e-3, atol=1e-3):
         raise ValueError(
-            "its network's outputs differ from the saved ones: this version of the package "
+            "the network's outputs differ from the saved ones: this version of the package "
             "processes observations differently, or the file was changed"
         )
 
@@ -297,7 +297,7 @@ def _card(notes: Mapping[str, str]) -> tuple[Card, list[float]]:
         raise ValueError(f"the header has no {KEY!r}")
     if len(notes[KEY]) > _MOST_CARD:
         raise ValueError(f"the card has more than {_MOST_CARD} characters")
-    payload = parse_object(notes[KEY], "its card", InputError)
+    payload = parse_object(notes[KEY], "the card", InputError)
     _check_printable(payload)
     version = payload.pop("format", None)
     if type(version) is not int or version != FORMAT:
@@ -315,7 +315,7 @@ def _card(notes: Mapping[str, str]) -> tuple[Card, list[float]]:
         or sizes[-1] > _MOST_ACTIONS
     ):
         raise ValueError(f"invalid sizes {sizes}")
-    network = network_of(check_type(payload["network"], dict), "its card")
+    network = network_of(check_type(payload["network"], dict), "the card")
     wide = (min(sum(parts), _MOST_INPUTS), *network.layers, check_type(payload["actions"], int))
     if sum(a * b for a, b in itertools.pairwise(wide)) > MOST_BYTES:
         raise ValueError(f"invalid layer widths {network.layers}")

@@ -316,7 +316,7 @@ def _change(text: str) -> dict[str, Any]:
     key, equals, value = text.partition("=")
     try:
         if not equals:
-            raise ValueError("it lacks '='")
+            raise ValueError("the change lacks '='")
         try:
             return _toml(f"{key} = {value}")
         except ValueError:  # an unquoted word is a string

@@ -50,7 +50,7 @@ def blocking_reason(world: World, obj: Object) -> str | None:
     if (between := obstacle(world.scene, world.mount, obj.name)) is not None:
         return f"{between} obstructs the arm"
     if obj.placement.inside:
-        return f"it lies inside {obj.placement.on}, out of the fingers' reach"
+        return f"the object lies inside {obj.placement.on}, out of the fingers' reach"
     loaded = [o.name for o in world.scene.objects if o.placement.on == obj.name]
     return f"{loaded[0]} stands on it" if loaded else None
 

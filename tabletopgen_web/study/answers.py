@@ -106,7 +106,9 @@ def parse_answers(raw: bytes, key: StudyKey) -> RaterAnswers:
     """
     facts = parse_object(raw, "It", InputError, max_bytes=MAX_ANSWER_BYTES, max_depth=6)
     _expect(facts.get("schema") == SCHEMA, f"the file has schema {facts.get('schema')!r:.20}")
-    _expect(facts.get("study") == key.study, f"it belongs to study {facts.get('study')!r:.40}")
+    _expect(
+        facts.get("study") == key.study, f"the file belongs to study {facts.get('study')!r:.40}"
+    )
     names = {"schema", "study", "rater", "language", "seconds", "scenes", "checks"}
     _expect(facts.keys() == names, "the file has missing or unexpected entries")
     rater, language = facts["rater"], facts["language"]
@@ -116,7 +118,9 @@ def parse_answers(raw: bytes, key: StudyKey) -> RaterAnswers:
     scenes = tuple(_scene(entry, key) for entry in _list(facts["scenes"], "scenes"))
     codes = [scene.scene for scene in scenes]
     _expect(len(set(codes)) == len(codes), "a scene occurs twice")
-    _expect(len(codes) == key.scenes_each, f"it rates {len(codes)} of {key.scenes_each} scenes")
+    _expect(
+        len(codes) == key.scenes_each, f"the file rates {len(codes)} of {key.scenes_each} scenes"
+    )
     failed = _count_failed(_list(facts["checks"], "checks"), codes, key)
     return RaterAnswers(rater, language, float(facts["seconds"]), scenes, failed)
 
@@ -156,7 +160,7 @@ def _scene(entry: Any, key: StudyKey) -> SceneAnswers:
     code = entry["scene"]
     scene = key.scenes.get(code) if isinstance(code, str) else None
     if scene is None:
-        raise InputError(f"it rates the unknown scene {code!r:.40}.")
+        raise InputError(f"the file rates the unknown scene {code!r:.40}.")
     _expect(is_number(entry["seconds"], maximum=_MAX_SECONDS), "a scene's duration is out of range")
     order = _list(entry["order"], "order")
     _expect(all(isinstance(one, str) for one in order), "an order contains an invalid code")

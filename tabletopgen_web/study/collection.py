@@ -215,8 +215,9 @@ def _check_complete(
         more = f", and {len(missing) - 10} more" if len(missing) > 10 else ""
         raise InputError(
             f"Every method needs a result for every scene: {', '.join(missing[:10])}{more}. Add "
-            f"them, or remove the other methods' results for those scenes. Bundles of one scene "
-            f"with different input pictures are matched by name if --inputs gives the pictures."
+            "the missing results, or remove the other methods' results for those scenes. Bundles "
+            "of one scene with different input pictures are matched by name if --inputs gives the "
+            "pictures."
         )
     if len(used) > MAX_SCENES:
         raise InputError(f"There are {len(used)} scenes; the maximum is {MAX_SCENES}.")

@@ -191,8 +191,8 @@ def _read(database: sqlite3.Connection, folder: Path) -> Spent:
             raise StorageError("The amounts must be non-negative numbers.")
         if len(rows) > 1 or len(held) > _MAX_HELD:
             raise StorageError(
-                f"It has {len(rows)} budgets and {len(held)} calls in flight; at most 1 and "
-                f"{_MAX_HELD} are allowed."
+                f"The database has {len(rows)} budgets and {len(held)} calls in flight; at most 1 "
+                f"and {_MAX_HELD} are allowed."
             )
     except StorageError as error:
         raise damage_error(folder / FILE, str(error)) from error

@@ -214,7 +214,7 @@ def _transaction(path: Path) -> Iterator[sqlite3.Connection]:
         database.execute("BEGIN IMMEDIATE")
         tables = [sql for (sql,) in database.execute("SELECT sql FROM sqlite_master LIMIT 9")]
         if sorted(map(str, tables)) != sorted(TABLES):
-            raise damage_error(path, f"It has unexpected tables: {tables!r:.200}.")
+            raise damage_error(path, f"The file has unexpected tables: {tables!r:.200}.")
         yield database
 
 
@@ -223,7 +223,7 @@ def _check_file(path: Path) -> None:
     if not stat.S_ISREG(status.st_mode):
         raise StorageError(f"{path} is not a regular file. Choose another folder.")
     if status.st_size > _MAX_BYTES:
-        raise damage_error(path, f"It has {status.st_size} bytes; the limit is {_MAX_BYTES}.")
+        raise damage_error(path, f"The file has {status.st_size} bytes; the limit is {_MAX_BYTES}.")
 
 
 def _check_journal(path: Path) -> None:

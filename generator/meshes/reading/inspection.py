@@ -116,9 +116,7 @@ def check_lines(text: bytes, what: str) -> None:
         BackendError: a line is too long.
     """
     if _LONG_LINE.search(text):
-        raise BackendError(
-            f"{what} has a line of more than {bounds.MOST_LINE} bytes, which is the limit."
-        )
+        raise BackendError(f"{what} has a line that exceeds the limit of {bounds.MOST_LINE} bytes.")
 
 
 def check_pictures(

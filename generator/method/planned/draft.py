@@ -39,9 +39,9 @@ _SLACK = 0.008, 0.1  # tolerated difference between sides: metres, and fraction 
 LOOSE = ("group", "heap")
 """Kinds of groups without a fixed arrangement."""
 
-_SHAPE = "its outline in the drawing does not have the planned proportions"
-_FITTED = "it must fit another object"
-_ALIKE = "it must match the other place settings"
+_SHAPE = "the object's outline in the drawing does not have the planned proportions"
+_FITTED = "the object must fit another object"
+_ALIKE = "the object must match the other place settings"
 
 
 @dataclass(frozen=True, eq=False)
@@ -159,7 +159,7 @@ def draft_scene(
 
 def _plan_warning(name: str, reason: str, told: bool) -> str:
     """Return a warning that an object's shape and, unless ``told``, its yaw come from the plan."""
-    tail = "" if told else " The plan also determines its yaw, since the drawing does not show it."
+    tail = "" if told else " The plan also determines the yaw, which the drawing does not show."
     return f"{name} is built from the plan: {reason}.{tail}"
 
 

@@ -117,7 +117,7 @@ def _read(path: Path, restore: str) -> tuple[dict[str, torch.Tensor], dict[str, 
 
 def _categories(text: str) -> tuple[str, ...]:
     """Return the detector's category names, read from the metadata of its weights."""
-    names = parse_json(text, "its list of categories", BackendError, max_bytes=_MOST_NOTE)
+    names = parse_json(text, "the list of categories", BackendError, max_bytes=_MOST_NOTE)
     if not isinstance(names, list):
         raise ValueError("the categories must be a list")
     return tuple(printable(name, "a category", BackendError) for name in names)
