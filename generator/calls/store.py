@@ -99,7 +99,7 @@ class CallStore:
             raise StorageError(
                 f"An answer of {len(raw)} bytes does not fit into the call store {self.folder}, "
                 f"whose capacity is {self.most_bytes} bytes, with at most {MOST_ANSWER_BYTES} "
-                "bytes per answer. Raise its most_bytes, or request smaller answers."
+                "bytes per answer. Raise the store's most_bytes, or request smaller answers."
             )
         try:
             self._write(path, raw)

@@ -159,7 +159,7 @@ def _table(mesh: Mesh, what: str) -> Table:
     if (above := float(vertices[:, 2].max()) - high) > _RIM:
         raise InputError(
             f"{what} extends {100 * above:.0f} cm above its largest level surface. Remove the "
-            "objects on the table from its mesh."
+            "objects on the table from the table's mesh."
         )
     outline = convex_outline(vertices[np.abs(vertices[:, 2] - high) < _TOP][:, :2])
     slab = np.array([[x, y, z] for x, y in outline for z in (high - 3 * _TOP, high)])

@@ -93,8 +93,9 @@ class _Shapes:
         if parts > BOUNDS.all_parts or points > BOUNDS.all_part_vertices:
             raise InputError(
                 f"The models and collision shapes of the scene have {parts} convex parts with "
-                f"{points} points in total; at most {BOUNDS.all_parts} with "
-                f"{BOUNDS.all_part_vertices} are allowed. Use fewer shapes, or fewer objects."
+                f"{points} points in total; at most {BOUNDS.all_parts} parts with "
+                f"{BOUNDS.all_part_vertices} points are allowed. Use fewer shapes, or fewer "
+                "objects."
             )
         return parts, points
 

