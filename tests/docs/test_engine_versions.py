@@ -18,5 +18,5 @@ def test_the_docs_report_the_gap_between_the_engines() -> None:
     assert pinned is not None and pinned[1] == mujoco.__version__
     guide = (ROOT / "docs/guides/page.md").read_text(encoding="utf-8")
     assert f"runs MuJoCo {page}," in guide
-    assert f"where the package runs {pinned[1]}." in guide
+    assert f"while the Python package uses {pinned[1]}." in guide
     assert [int(part) for part in page.split(".")] <= [int(part) for part in pinned[1].split(".")]
