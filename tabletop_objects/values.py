@@ -230,8 +230,8 @@ class Model:
             raise InputError(f"Model.size must be metres, {SMALLEST:g} or more, got {self.size}.")
         if not np.allclose(self.mesh.bounds, [[-0.5] * 3, [0.5] * 3], atol=1e-3):
             raise InputError(
-                f"Model {self.name!r}: mesh must fill the unit box [-0.5, 0.5]^3, "
-                f"its bounds are {self.mesh.bounds.tolist()}. Use values.to_unit_box."
+                f"Model {self.name!r}: mesh must fill the unit box [-0.5, 0.5]^3, but the bounds "
+                f"are {self.mesh.bounds.tolist()}. Use values.to_unit_box."
             )
         if self.orientation is not None:
             freeze(self, orientation=(np.float64, (3, 3)))

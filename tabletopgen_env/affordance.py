@@ -129,18 +129,18 @@ def why_not_graspable(obj: Object, hollow: Opening | None) -> str | None:
     if not is_too_wide(obj):
         return None
     if hollow is not None and hollow.wall <= THICKEST_WALL and hollow.depth >= 2 * WALL_DEPTH:
-        return None if hollow.flare <= WIDEST_FLARE else "its walls lean too far to be gripped"
-    wide = f"it is {100 * grasp_width(obj):.1f} cm wide"
+        return None if hollow.flare <= WIDEST_FLARE else "the walls lean too far to be gripped"
+    wide = f"the object is {100 * grasp_width(obj):.1f} cm wide"
     return f"{wide}, but the gripper spans only {100 * WIDEST:.1f} cm"
 
 
 def why_not_liftable(obj: Object) -> str | None:
     """Return why no grasp could lift the object, or None if one might."""
     if obj.mass > MAX_MASS:
-        return f"its mass of {obj.mass:.3g} kg exceeds {MAX_MASS} kg"
+        return f"the mass of {obj.mass:.3g} kg exceeds {MAX_MASS} kg"
     height = resting_height(obj)
     if height < MIN_HEIGHT:
-        return f"its height of {1000 * height:.0f} mm is less than {1000 * MIN_HEIGHT:.0f} mm"
+        return f"the height of {1000 * height:.0f} mm is less than {1000 * MIN_HEIGHT:.0f} mm"
     return None
 
 

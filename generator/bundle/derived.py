@@ -85,9 +85,9 @@ def check_starts(model: mujoco.MjModel, name: str) -> None:
         raise unsimulatable(name, str(error), _AT_START) from error
     said = [*list_warnings(data)]
     if data.ncon > _MAX_CONTACTS:
-        said.append(f"it has {data.ncon} contacts; at most {_MAX_CONTACTS} are allowed")
+        said.append(f"the scene has {data.ncon} contacts; at most {_MAX_CONTACTS} are allowed")
     if not np.isfinite(data.qacc).all():
-        said.append("some of its forces are not finite")
+        said.append("some contact forces are not finite")
     if said:
         raise unsimulatable(name, said[0], _AT_START)
 
@@ -96,8 +96,8 @@ def _parse(raw: bytes, maximum: int) -> ET.Element:
     """Parse XML of at most ``maximum`` bytes; reject declarations, entities and comments."""
     if len(raw) > maximum:
         raise BundleError(
-            f"scene.xml does not match scene.json: it has {len(raw)} bytes; at most {maximum} are "
-            "expected."
+            f"scene.xml does not match scene.json: scene.xml has {len(raw)} bytes; at most "
+            f"{maximum} are expected."
         )
     if b"<!" in raw or b"<?" in raw:
         raise BundleError(
@@ -114,7 +114,7 @@ def _difference(wanted: ET.Element, found: ET.Element) -> str:
     name = wanted.get("name", "")[:80]
     where = f"<{wanted.tag}{f' name={name!r}' if name else ''}>"
     if wanted.tag != found.tag:
-        return f"it has {found.tag[:80]!r} in place of {where}"
+        return f"the file has {found.tag[:80]!r} in place of {where}"
     if wanted.attrib.keys() != found.attrib.keys():
         return f"{where} has different attributes"
     for key, value in wanted.attrib.items():

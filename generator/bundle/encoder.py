@@ -16,8 +16,7 @@ from ..scene.provenance import plain
 
 HIDDEN = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f\u2028-\u202e\u2066-\u2069]")
 """Characters that strings in a bundle must not contain: control characters, except newlines and
-tabs, and marks that change the direction of writing.
-"""
+tabs, and characters that change the direction of text."""
 
 _LENGTH, _UNIT, _MASS = 7, 6, 12  # decimals of metres, canonical coordinates and mass
 

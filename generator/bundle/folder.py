@@ -250,7 +250,9 @@ def read_truth(folder: Path) -> dict[str, Any]:
         raise BundleError(f"{folder}: scene.json was changed after it was written.")
     named = _FOLDER.fullmatch(folder.resolve().name)
     if named and named[1] != hashlib.sha256(raw).hexdigest()[:12]:
-        raise BundleError(f"{folder}: scene.json does not have the digest in the folder's name.")
+        raise BundleError(
+            f"{folder}: the digest of scene.json is not the one in the folder's name."
+        )
     try:
         check_listed(payload.get("files"))
     except BundleError as error:
@@ -360,7 +362,8 @@ def read_inside(
     except OSError as failure:
         if failure.errno == errno.ELOOP or (failure.errno == errno.ENOTDIR and folder.is_dir()):
             raise error(
-                f"{folder}: {name} is a link, or its folder is one; only regular files are read."
+                f"{folder}: {name} is a link, or lies in a linked folder; only regular files are "
+                "read."
             ) from failure
         raise error(f"{folder}: {name} cannot be read: {failure.strerror}.") from failure
 

@@ -27,7 +27,7 @@ from ..io.bounded import parse_object, read_regular
 from ..io.files import make_private, remove_file
 
 MOST_ANSWER_BYTES = 257 * 2**20
-"""Maximum size in bytes of a stored answer; it exceeds that of any response that is read."""
+"""Maximum size in bytes of a stored answer, which is larger than any response that is read."""
 
 _MOST_BYTES = 4 * 2**30  # default size of a store
 _MAGIC = b"tabletopgen call 1"
@@ -99,7 +99,7 @@ class CallStore:
             raise StorageError(
                 f"An answer of {len(raw)} bytes does not fit into the call store {self.folder}, "
                 f"whose capacity is {self.most_bytes} bytes, with at most {MOST_ANSWER_BYTES} "
-                "bytes per answer. Raise its most_bytes, or request smaller answers."
+                "bytes per answer. Raise the store's most_bytes, or request smaller answers."
             )
         try:
             self._write(path, raw)

@@ -17,10 +17,11 @@ _EVEN = 0.01
 
 _FAR = 5.0
 """Mean error of the box edges, relative to the outlier threshold, above which the fit is repeated
-from positions closer to the scene."""
+from camera positions closer to the scene."""
 
 _NEARER = (0.3, 0.6, 1.0)
-"""Logarithms of the factors by which those positions are closer."""
+"""Logarithms of the factors by which the camera is moved closer to the scene when a fit is
+repeated."""
 
 
 def picture_camera(scene: Scene, segments: Segments) -> Camera:
@@ -45,7 +46,8 @@ def picture_camera(scene: Scene, segments: Segments) -> Camera:
     ]
     if not shown:
         raise InputError(
-            "The scene contains none of the picture's instances, so they cannot be compared."
+            "The scene contains none of the picture's instances, so the scene cannot be compared "
+            "with the picture."
         )
     points = np.concatenate([vertices for vertices, _ in shown])
     start = framing_camera(points, scene.view, width, height)

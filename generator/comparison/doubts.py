@@ -16,7 +16,7 @@ from ..scene import TABLE, Instance, Reference, Scene
 from .scores import Comparison, Score, compare
 
 EYE_LEVEL = float(np.deg2rad(12.0))
-"""Elevation in radians below which a picture does not show the depth of objects."""
+"""Camera elevation, in radians, below which a picture does not show the depth of objects."""
 
 _TABLE = 0.35  # minimum IoU of the table's outlines
 _THINGS = 0.3  # minimum mean IoU of the objects' outlines, and of one object before a note

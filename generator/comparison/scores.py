@@ -102,8 +102,9 @@ def compare(scene: Scene, segments: Segments, picture: UInt8[np.ndarray, "h w 3"
     height, width = segments.index.shape
     if abs(np.log(picture.shape[1] / picture.shape[0] * height / width)) > _SAME_RATIO:
         raise InputError(
-            f"The picture is {picture.shape[1]}x{picture.shape[0]}, but the scene was made from "
-            f"one of {width}x{height}. Pass that picture, or omit it to use the bundle's own."
+            f"The picture is {picture.shape[1]}x{picture.shape[0]}, but the scene was made from a "
+            f"picture of {width}x{height}. Pass the original picture, or omit the picture to use "
+            "the one in the bundle."
         )
     whole = picture_camera(scene, segments)
     factor = min(1.0, WORK_SIDE / max(width, height))

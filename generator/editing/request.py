@@ -118,8 +118,8 @@ def _resolve(scene: Scene, target: PlannedObject, named: dict[str, str]) -> str:
     matching = _of_look(scene, fits, target) if len(fits) > 1 else fits
     if len(matching) > 1:
         raise InputError(
-            f"{target.noun!r} could be {' or '.join(o.name for o in matching)}. Use its name, as "
-            f"in 'next to {matching[0].name}'."
+            f"{target.noun!r} could be {' or '.join(o.name for o in matching)}. Use the object's "
+            f"name, as in 'next to {matching[0].name}'."
         )
     return matching[0].name
 

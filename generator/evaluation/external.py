@@ -159,7 +159,7 @@ def _table(mesh: Mesh, what: str) -> Table:
     if (above := float(vertices[:, 2].max()) - high) > _RIM:
         raise InputError(
             f"{what} extends {100 * above:.0f} cm above its largest level surface. Remove the "
-            "objects on the table from its mesh."
+            "objects on the table from the table's mesh."
         )
     outline = convex_outline(vertices[np.abs(vertices[:, 2] - high) < _TOP][:, :2])
     slab = np.array([[x, y, z] for x, y in outline for z in (high - 3 * _TOP, high)])
@@ -202,7 +202,9 @@ def _object(
     label = printable(label, f"{place}: the label of {name}", InputError)
     on, inside = entry.get("on", TABLE), entry.get("inside", False)
     if not isinstance(on, str) or not isinstance(inside, bool):
-        raise InputError(f"{place}: for {name}, 'on' must be a name, and 'inside' true or false.")
+        raise InputError(
+            f"{place}: for {name}, 'on' must be a name, and 'inside' must be true or false."
+        )
     position = rotation @ (center * scale) + translation + shift
     quaternion = Rotation.from_matrix(rotation).as_quat(scalar_first=True)
     placement = Placement(name, quaternion_yaw(quaternion), position, extent, on, inside)
@@ -264,7 +266,7 @@ def _block(size: Float[np.ndarray, "3"]) -> Mesh:
 
 
 MOST_FACES = 400_000
-"""Maximum size of a mesh; larger ones are rejected."""
+"""Maximum size of a mesh; larger meshes are rejected."""
 
 
 def read_glb(raw: bytes, what: str) -> Mesh:

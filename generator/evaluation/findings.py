@@ -50,7 +50,7 @@ class DefectLimits:
         factors = (self.usual_size - 1, self.scale - 1)
         numbers = (self.overlap, self.gain, self.yaw, self.place, *factors)
         if not np.isfinite(numbers).all() or min(numbers) <= 0:
-            raise InputError(f"Limits must be positive, and factors above 1, got {self}.")
+            raise InputError(f"Limits must be positive, and factors must be above 1, got {self}.")
 
 
 @dataclass(frozen=True)
@@ -145,7 +145,9 @@ def of_comparison(compared: Comparison) -> Iterator[Finding]:
 def of_truth(found: TruthErrors, limits: DefectLimits) -> Iterator[Finding]:
     """Yield a finding for each deviation from the true scene."""
     for name in found.missing:
-        yield Finding("missing", name, "is in the true scene, but not in this one", "truth")
+        yield Finding(
+            "missing", name, "is in the true scene, but not in the evaluated scene", "truth"
+        )
     for name in found.extra:
         yield Finding("extra", name, "is not in the true scene", "truth")
     for o in found.objects:

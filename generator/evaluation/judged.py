@@ -39,12 +39,12 @@ CRITERIA: Mapping[str, str] = MappingProxyType(
         ),
     }
 )
-"""Criteria by key; 1 is very poor, 4 is average and 7 is excellent."""
+"""Criteria by key; a mark of 1 is very poor, 4 is average and 7 is excellent."""
 
 LEAST, MOST = 1.0, 7.0
 """The lowest and the highest mark."""
 
-MEASURED = "measured figures, no judge"
+MEASURED = "measured values without a judge"
 """Value of ``Marks.judge`` for ``marks_from_figures``."""
 
 
@@ -148,7 +148,9 @@ def marks_from_figures(
     notes["PP"] = (
         f"from {pair_collisions:.1%} of pairs in collision and {unsound:.0%} of objects unsound"
     )
-    notes["PP"] += "" if simulated else "; not simulated, so from overlaps only"
+    notes["PP"] += (
+        "" if simulated else "; the scene was not simulated, so the mark is based on overlaps only"
+    )
     return Marks(MEASURED, marks, notes)
 
 

@@ -189,7 +189,7 @@ def evaluate_bundle(
     blind = metrics is not None and picture is None
     shown = None if blind else metrics
     found = evaluate(scene, picture=picture, segments=segments, metrics=shown, **options)
-    note = ("no sweep was rendered: the scene has no picture; pass one",) if blind else ()
+    note = ("no sweep was rendered: the scene has no picture; pass a picture",) if blind else ()
     return replace(found, notes=found.notes + note)
 
 

@@ -45,10 +45,13 @@ class StillnessRule:
     def __post_init__(self) -> None:
         positive = (self.seconds, self.drift, self.tilt, self.gap)
         if not (np.isfinite([*positive, self.lean, self.toward]).all() and min(positive) > 0):
-            raise InputError(f"A rule must have finite angles and positive limits, got {self}.")
+            raise InputError(
+                f"A soundness rule must have finite angles and positive limits, got {self}."
+            )
         if self.timestep is not None and not 1e-5 <= self.timestep <= 0.01:
             raise InputError(
-                f"The timestep of a rule must be in [1e-5, 0.01] s, got {self.timestep!r}."
+                "The timestep of a soundness rule must be in [1e-5, 0.01] s, got "
+                f"{self.timestep!r}."
             )
         if not 0 <= self.lean < np.pi / 4:
             raise InputError(

@@ -197,7 +197,7 @@ class _FolderReader:
         if faces > MOST_FACES:
             raise InputError(
                 f"The files of {POSES} have more than {MOST_FACES} triangles in total, including "
-                "repeated uses of a file. Simplify them."
+                "repeated uses of a file. Simplify the meshes."
             )
         self._faces = faces
         return surface

@@ -125,8 +125,8 @@ class ForeignBody:
         if len(self.parts) > BOUNDS.parts or points > BOUNDS.all_part_vertices:
             raise InputError(
                 f"The body {self.name!r} has {len(self.parts)} collision shapes with {points} "
-                f"points; at most {BOUNDS.parts} with {BOUNDS.all_part_vertices} are allowed. Use "
-                "fewer, or a mesh that is its own collision shape."
+                f"points; at most {BOUNDS.parts} shapes with {BOUNDS.all_part_vertices} points are "
+                "allowed. Use fewer shapes, or a mesh that is its own collision shape."
             )
         far = np.abs(self.surface.vertices).max(), np.abs(self.position).max()
         if not np.isfinite(far).all():

@@ -265,7 +265,7 @@ def _split(
         turn = matrix[:3, :3] / scale
     if not np.isfinite(matrix).all() or not np.abs(turn.T @ turn - np.eye(3)).max() < _RIGID:
         raise InputError(
-            f"The transform of node {name!r} is not a rotation, scale and translation."
+            f"The transform of node {name!r} must consist of a rotation, a scale and a translation."
         )
     if np.linalg.det(turn) < 0:
         raise InputError(f"Node {name!r} is mirrored. Apply its transform to the mesh.")

@@ -44,7 +44,7 @@ TABLE_WORDS = re.compile(r"table|desk|bench|counter|island|worktop", re.IGNORECA
 
 _KINDS: dict[int, Solid] = {3: "capsule", 2: "ellipsoid", 4: "ellipsoid", 5: "cylinder", 6: "box"}
 _PLANE, _MESH = 0, 7  # of mjtGeom
-_JOINTED = "it has joints other than free ones; only rigid bodies can be imported"
+_JOINTED = "the body has joints other than free ones; only rigid bodies can be imported"
 _UNDER = 0.05  # metres that an object may penetrate its support
 _SEEN = 0.01  # minimum opacity of a visible geom
 
@@ -107,8 +107,8 @@ def _check_meshes(model: mujoco.MjModel) -> None:
 def _check_faces(count: int) -> None:
     if count > MOST_FACES:
         raise InputError(
-            f"The model shows at least {count} triangles, including repetitions; at most "
-            f"{MOST_FACES} are allowed. Simplify meshes, or remove objects."
+            f"The visible geoms of the model have at least {count} triangles, counting repeated "
+            f"meshes; at most {MOST_FACES} are allowed. Simplify meshes, or remove objects."
         )
 
 

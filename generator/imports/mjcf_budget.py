@@ -106,7 +106,8 @@ def check_assets(root: ET.Element, files: Mapping[str, bytes], sides: Iterable[s
             faces += files[name].count(b"\nf") if name.endswith(".obj") else 0
             if faces > MOST_FACES:
                 raise InputError(
-                    f"The meshes of the model have more than {MOST_FACES} faces. Simplify them."
+                    f"The meshes of the model have more than {MOST_FACES} faces. Simplify the "
+                    "meshes."
                 )
 
 

@@ -24,7 +24,7 @@ MOST_ELEMENTS, MOST_DEPTH, MOST_INCLUDES = 200_000, 100, 200
 
 _REFUSED = {
     "extension": "plugins run code", "plugin": "plugins run code",
-    "model": "it attaches another model", "attach": "it attaches another model",
+    "model": "attached models are not supported", "attach": "attached models are not supported",
     "flexcomp": "soft bodies are not supported", "flex": "soft bodies are not supported",
     "composite": "soft bodies are not supported", "deformable": "soft bodies are not supported",
     "skin": "skins are not supported", "hfield": "height fields are not supported",
@@ -53,7 +53,7 @@ def gather(path: Path, folder: Path | None = None) -> GatheredModel:
     home = (folder or path.parent).resolve()
     place = path.parent.resolve() / path.name
     if not place.is_relative_to(home):
-        raise InputError(f"{path} is not inside {home}. Pass a folder that contains it.")
+        raise InputError(f"{path} is not inside {home}. Pass a folder that contains the file.")
     inside = PurePosixPath(place.relative_to(home).as_posix())
     reader = _Reader(home, inside.parent)
     root = reader.parse(inside, 0)
@@ -168,7 +168,7 @@ class _Reader:
         if found[-1] is None:
             raise InputError(
                 f"The model refers to the file {given[:200]!r}, which is outside its folder. Pass "
-                "a folder that contains both (--root)."
+                "a folder that contains the model and the file (--root)."
             )
         return found[-1]
 

@@ -93,8 +93,9 @@ class _Shapes:
         if parts > BOUNDS.all_parts or points > BOUNDS.all_part_vertices:
             raise InputError(
                 f"The models and collision shapes of the scene have {parts} convex parts with "
-                f"{points} points in total; at most {BOUNDS.all_parts} with "
-                f"{BOUNDS.all_part_vertices} are allowed. Use fewer shapes, or fewer objects."
+                f"{points} points in total; at most {BOUNDS.all_parts} parts with "
+                f"{BOUNDS.all_part_vertices} points are allowed. Use fewer shapes, or fewer "
+                "objects."
             )
         return parts, points
 
@@ -126,8 +127,8 @@ def list_outcomes(scene: Scene) -> tuple[ImportOutcome, ...]:
     what = f"{scene.name}: provenance.config[{_OUTCOMES!r}]"
     if not isinstance(listed, list | tuple) or len(listed) > _MOST_OUTCOMES:
         raise BundleError(
-            f"{what} must be a list of at most {_MOST_OUTCOMES} outcomes of objects. Import the "
-            "scene again."
+            f"{what} must be a list of at most {_MOST_OUTCOMES} import outcomes. Import the scene "
+            "again."
         )
     entries = enumerate(cast("Sequence[object]", listed))
     return tuple(ImportOutcome(**arguments(ImportOutcome, o, f"{what}[{k}]")) for k, o in entries)

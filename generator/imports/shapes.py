@@ -13,7 +13,7 @@ from ..geometry import hull_points
 from ..scene import ConvexPart
 
 Solid = Literal["box", "cylinder", "capsule", "ellipsoid"]
-"""Kinds of primitives; a sphere is an ellipsoid."""
+"""Kinds of primitives; a sphere is stored as an ellipsoid."""
 
 _SIDES, _RINGS = 32, 16
 _ALIGNED = 1e-4  # tolerance of a rotation that maps axes to axes

@@ -89,7 +89,7 @@ def check_json_size(
         raise error(f"{what} has {len(data)} bytes of JSON; the limit is {max_bytes}.")
     bare = _STRING.sub(b"", data)
     if bare.count(b",") + bare.count(b"[") + bare.count(b"{") > _MAX_VALUES:
-        raise error(f"{what} has more than {_MAX_VALUES} values, which is the limit.")
+        raise error(f"{what} exceeds the limit of {_MAX_VALUES} values.")
     if _depth(bare) > max_depth:
         raise error(f"{what} nests lists or objects deeper than {max_depth} levels.")
 
@@ -263,8 +263,7 @@ def read_arrays(
                 raise error(f"{what} {str(path)!r} uses a compression that NumPy never writes.")
             if len(members) > _MAX_ARRAYS or sum(m.file_size for m in members) > max_bytes:
                 raise error(
-                    f"{what} {str(path)!r} has more than {max_bytes} bytes of arrays, which is "
-                    "the limit."
+                    f"{what} {str(path)!r} exceeds the limit of {max_bytes} bytes of arrays."
                 )
             return {m.filename.removesuffix(".npy"): _array(packed.read(m)) for m in members}
     except (

@@ -189,7 +189,7 @@ def _call(place: _Place, packed: bytes, timeout: float | None) -> tuple[str, byt
     if own != place.versions:
         other = ", ".join(f"{k} {v}, not {place.versions[k]}" for k, v in own.items()
                           if v != place.versions[k])  # fmt: skip
-        raise BackendError(f"it has {other}. Install the same versions on all machines.")
+        raise BackendError(f"the machine has {other}. Install the same versions on all machines.")
     with contextlib.suppress(OSError):
         os.chdir(place.folder)
     signal.setitimer(signal.ITIMER_REAL, timeout or 0.0)  # whose signal terminates the process

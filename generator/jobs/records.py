@@ -143,7 +143,7 @@ def _make(job: Job, folder: Path, name: str, make: Maker) -> Outcome:
         raise StorageError(
             f"The scene of {job.text!r:.80} was made, but its record or its bundle "
             f"{made.name!r:.80} cannot be read back from {folder}. Check that the disk works and "
-            "that the bundle still has this name."
+            "that the bundle has not been renamed."
         )
     return outcome
 

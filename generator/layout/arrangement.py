@@ -197,7 +197,8 @@ def _place_all(
             if not put_on(planned, support, plan, models, rng, state, shapes):
                 beside = _beside(planned, support)
                 state.warnings.append(
-                    f"{planned.name} does not fit on or in {support}; it was placed next to it."
+                    f"{planned.name} does not fit on or in {support}, so it was placed next to "
+                    f"{support} instead."
                 )
                 state.cost += 1.0
                 if not stand_on_table(beside, models, table, outline, rng, state, shapes, []):

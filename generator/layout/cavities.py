@@ -13,7 +13,7 @@ from ..physics.parts import body_parts
 from ..scene import ConvexPart, Model
 
 SECTORS = 24
-"""Number of directions around a vessel's axis in which its wall is searched for."""
+"""Number of directions around a vessel's axis in which the vessel's wall is searched for."""
 
 _LEVELS = 14
 _STEPS = 64  # steps from the axis to the outside

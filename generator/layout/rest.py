@@ -183,7 +183,8 @@ def _resting_cost(
 
 
 _FEW = (2, 3)
-"""Numbers of round objects that lie side by side in a vessel; if there are more, one is central."""
+"""Numbers of round objects that lie side by side in a vessel; with more objects, one lies in the
+centre."""
 
 
 def _rolls(planned: PlannedObject) -> bool:

@@ -14,7 +14,7 @@ GROWTH = (1.0, 1.15, 1.3)
 """Growth factors of the table, one per attempt."""
 
 _STRAINED = 1.0
-"""Largest violation of a relation (``Layout.strain``) from which on a larger table is tried."""
+"""Violation of a relation (``Layout.strain``) at or above which a larger table is tried."""
 
 
 def lay_out(

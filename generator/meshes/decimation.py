@@ -49,7 +49,7 @@ def reduce(vertices: Vertices, faces: Faces, maximum: int, what: str) -> tuple[V
                 break
             fewer = _simplify(*cluster(vertices, faces, cells), times * maximum)
         if len(fewer[1]) > _TRIES[-1] * maximum:
-            said = "so few triangles cannot represent it"
+            said = "so few triangles cannot represent the mesh"
             continue
         after = silhouettes(*fewer, vertices)
         overlap = min(mask_iou(a, b) for a, b in zip(before, after, strict=True))
@@ -59,7 +59,8 @@ def reduce(vertices: Vertices, faces: Faces, maximum: int, what: str) -> tuple[V
         said = f"silhouettes overlap by {overlap:.0%}, the volume changes by {change:.0%}"
     raise BackendError(
         f"{what} has {len(faces)} triangles and cannot be simplified to {_TRIES[-1] * maximum} "
-        f"without losing its shape: {said}. Simplify it yourself, or allow more triangles (faces)."
+        f"without losing its shape: {said}. Simplify the mesh yourself, or allow more triangles "
+        "(faces)."
     )
 
 

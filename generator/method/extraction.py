@@ -20,7 +20,8 @@ SPECK = 1e-4
 """Regions smaller than this fraction of the picture are dropped."""
 
 GAP = 0.02
-"""Holes smaller than this fraction of their region are filled; larger ones (handles) are kept."""
+"""Holes smaller than this fraction of their region are filled; larger holes, such as those in
+handles, are kept."""
 
 SHOWN = 0.6
 """A drawing is accepted if it shows at least this fraction of the planned objects. Objects inside

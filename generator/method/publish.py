@@ -227,7 +227,9 @@ class _Drafting:
         scene, known = self.found.assemble_laid(layout), {*self.draft.models}
         if scene.report is not None and not scene.report.passed:
             failing = {name for failure in scene.report.failures for name in failure.objects}
-            self.draft = self.draft.doubt(known & failing or known, "it does not stand stably")
+            self.draft = self.draft.doubt(
+                known & failing or known, "the object does not stand stably"
+            )
             return scene
         scene = record_relations(scene)
         doubted = {name for each in list_unmet(scene) for name in (each.name, each.target)}

@@ -153,13 +153,14 @@ def _refer_depth(
     if depth is None or intrinsics is None:
         missing = "depth map" if depth is None else "intrinsics (fx, fy, cx, cy in pixels)"
         raise InputError(
-            f"An RGB-D picture also needs its {missing}. Pass depth and intrinsics, or neither."
+            f"An RGB-D picture also needs its {missing}. Pass both depth and intrinsics, or "
+            "neither."
         )
     picture = _decode(source, config)
     if picture.orientation != 1:
         raise InputError(
             "The picture is stored rotated (EXIF orientation), so depth and intrinsics may not "
-            "match it. Save it upright first."
+            "match it. Save the picture upright first."
         )
     size = picture.width, picture.height
     _check_intrinsics(intrinsics, *size)
@@ -232,7 +233,7 @@ def _check_intrinsics(intrinsics: Intrinsics, width: int, height: int) -> None:
     if abs(np.log(i.fx / i.fy)) > _SQUARE:
         raise InputError(
             f"Pixels must be square: fx {i.fx:g} and fy {i.fy:g} differ by more than "
-            f"{_SQUARE:.0%}. Resample picture and depth first."
+            f"{_SQUARE:.0%}. Resample the picture and the depth map first."
         )
     if not width / 20 < i.fx < width * 20:
         raise InputError(

@@ -37,10 +37,10 @@ if TYPE_CHECKING:
 
 
 VARIANTS = 10
-"""Number of seeds whose variants are counted; the first ones are checked in full."""
+"""Number of seeds whose variants are counted; the first ``SOUND`` of them are checked in full."""
 
 SOUND, SIZED = 3, 8
-"""Number of seeds whose shapes are checked, and number of seeds over which the size is averaged."""
+"""Number of seeds whose shapes are checked, and number of seeds whose sizes are averaged."""
 
 MIN_LOOKS = 5
 MAX_FACES, MAX_STYLED_FACES, MAX_TEXTURE = 4000, 5000, 640

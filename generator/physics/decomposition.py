@@ -75,7 +75,8 @@ class CutBudget:
             if self.left <= 0 or not self.cpu.left:
                 raise SceneError(
                     "The convex decomposition of earlier meshes used all convex parts that one "
-                    "import allows. Add convex parts to the models, or import fewer at a time."
+                    "import allows. Add convex parts to the models, or import fewer models at a "
+                    "time."
                 )
             try:
                 self._hulls[key], pieces = run()
@@ -108,7 +109,7 @@ def decompose(
     proportions = np.round(np.asarray(scale, float) / np.max(scale), 3).clip(1e-3)
     vertices, faces = weld(mesh)
     if not len(faces):
-        raise SceneError("The mesh has no triangle with an area. Add convex parts to the model.")
+        raise SceneError("The mesh has only zero-area triangles. Add convex parts to the model.")
     digest = hashlib.sha256(repr((_SETTINGS, _THRESHOLDS, _MOST_CUTS)).encode())
     for array in (vertices, faces, proportions):
         digest.update(array.tobytes())

@@ -34,14 +34,14 @@ ten, they hardly slow the simulation down. The environments use the same value."
 FLAT_SPOT = 0.1
 """Rolling resistance of round objects, as a fraction of the radius. It is the tangent of the angle
 at which they start to roll, almost 6 degrees; on a table tilted by 2 degrees they rest, as fruit
-does. Small objects, such as marbles, would still roll, so they get at least ``_LEAST_FLAT`` metres.
-"""
+does. Small objects, such as marbles, would still roll, so their rolling resistance is at least
+``_LEAST_FLAT`` metres."""
 
 _LEAST_FLAT = 0.002
 _FIRM = {"solimp": "0.98 0.99 0.001", "solmix": "100"}
 """Contacts with rolling resistance are stiffer than MuJoCo's default (0.9 0.95), since softer ones
-let objects creep, in proportion to the inverse square of FLAT_SPOT: on the tilted table, an orange
-turns by 1 degree in 5 s with these values, and by 5 degrees with the defaults."""
+let objects creep, in proportion to the inverse square of FLAT_SPOT: on a table tilted by 2 degrees,
+an orange turns by 1 degree in 5 s with these values, and by 5 degrees with the defaults."""
 
 _SLENDER, _THIN = 0.35, 0.04  # maximum thickness of slender objects: fraction of length; metres
 _ROUND = 0.02  # maximum relative difference between two diameters of a round cross-section

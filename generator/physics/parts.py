@@ -20,8 +20,8 @@ if TYPE_CHECKING:
     from .decomposition import CutBudget
 
 THINNEST = 4e-4
-"""Minimum thickness of a part along an axis, in metres. Thinner parts are enlarged about their
-centre, and so are thin sheets in any direction."""
+"""Minimum thickness of a part along an axis, in metres. Parts that are thinner, and sheets that are
+thin in any direction, are enlarged about their centre."""
 
 _HAIR = 2e-4  # metres
 _ROOM = 1.5e-3  # parts within the widest foot, or at most this far beyond it, are raised, metres

@@ -92,7 +92,7 @@ def unsimulatable(name: str, reason: str, when: str = "") -> SceneError:
     """Return the error to raise if MuJoCo cannot simulate a scene."""
     said = " ".join(reason.split())[:200]
     return SceneError(
-        f"MuJoCo cannot simulate the scene {name!r}{when}: {said!r}. Its bodies may overlap; make "
+        f"MuJoCo cannot simulate the scene {name!r}{when}: {said!r}. The bodies may overlap; make "
         "the scene again."
     )
 
@@ -149,8 +149,8 @@ def compile_spec(spec: mujoco.MjSpec, name: str) -> mujoco.MjModel:
 def _unbuildable(name: str, error: ValueError) -> SceneError:
     said = " ".join(str(error).split())
     return SceneError(
-        f"MuJoCo cannot build the scene {name!r}: {said!r}. Create the scene again, or give that "
-        "body a valid shape and inertia."
+        f"MuJoCo cannot build the scene {name!r}: {said!r}. Create the scene again, or give the "
+        "named body a valid shape and inertia."
     )
 
 

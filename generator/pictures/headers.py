@@ -85,7 +85,7 @@ def parse_header(raw: bytes, kind: Format) -> PictureHeader:
     try:
         return _READERS[kind](raw)
     except (struct.error, IndexError) as error:
-        raise DamagedHeader("its header is truncated") from error
+        raise DamagedHeader("the header is truncated") from error
 
 
 def png_size(raw: bytes) -> tuple[int, int]:
@@ -95,9 +95,9 @@ def png_size(raw: bytes) -> tuple[int, int]:
         DamagedHeader: The file does not start with a PNG header.
     """
     if raw[:16] != _PNG + b"\0\0\0\rIHDR":
-        raise DamagedHeader("it does not start with a PNG header")
+        raise DamagedHeader("the file does not start with a PNG header")
     if len(raw) < _PNG_HEAD:
-        raise DamagedHeader("its header is truncated")
+        raise DamagedHeader("the header is truncated")
     return struct.unpack_from(">II", raw, 16)
 
 
@@ -107,7 +107,7 @@ def _png(raw: bytes) -> PictureHeader:
     for name, at, size in _chunks(raw, 8, ">I4s", 4, 1):
         profiles += name == b"iCCP"
         if profiles > 1:  # decoders decompress every profile, but a valid PNG has at most one
-            raise DamagedHeader("it has more than one colour profile")
+            raise DamagedHeader("the picture has more than one colour profile")
         if name == b"acTL" and size >= 4:
             frames = max(1, struct.unpack_from(">I", raw, at)[0])
         if name == b"IEND":
@@ -129,7 +129,7 @@ def _webp(raw: bytes) -> PictureHeader:
             width, height = struct.unpack_from("<HH", raw, at + 6)
             size = width & 0x3FFF, height & 0x3FFF
     if size is None:
-        raise DamagedHeader("it contains no picture")
+        raise DamagedHeader("the file contains no picture")
     return PictureHeader("WEBP", *size, max(1, frames))
 
 
@@ -145,7 +145,7 @@ def _chunks(
         start += 8 + -(-size // align) * align + check
         count += 1
         if count > most:
-            raise DamagedHeader(f"it has more than {most} chunks")
+            raise DamagedHeader(f"the picture has more than {most} chunks")
 
 
 def _jpeg(raw: bytes) -> PictureHeader:
@@ -169,9 +169,11 @@ def _jpeg(raw: bytes) -> PictureHeader:
             ending = _IN_SCAN.search(raw, at)
             at = ending.start() if ending else len(raw)
     else:
-        raise DamagedHeader(f"it has more than {_SEGMENTS} segments, {scans} of which are scans")
+        raise DamagedHeader(
+            f"the picture has more than {_SEGMENTS} segments, {scans} of which are scans"
+        )
     if size is None:
-        raise DamagedHeader("its size is missing")
+        raise DamagedHeader("the size is missing")
     return PictureHeader("JPEG", *size, 1, max(1, scans))
 
 
@@ -195,7 +197,7 @@ def _gif(raw: bytes) -> PictureHeader:
             at, left = at + size + 1, left - 1
         at, left = at + 1, left - 1
         if left <= 0:
-            raise DamagedHeader(f"it has more than {most} blocks")
+            raise DamagedHeader(f"the picture has more than {most} blocks")
     return PictureHeader("GIF", width, height, max(1, frames))
 
 
@@ -235,7 +237,7 @@ def _tiff(raw: bytes) -> PictureHeader:
 def _first_size(raw: bytes, at: int, order: str, big: bool) -> tuple[int, int]:
     """Return the width and height of the first TIFF frame, whose directory is at offset ``at``."""
     if at >= len(raw):
-        raise DamagedHeader("its first directory is outside the file")
+        raise DamagedHeader("the first directory is outside the file")
     head, entry, value = (order + "Q", 20, 12) if big else (order + "H", 12, 8)
     (count,) = struct.unpack_from(head, raw, at)
     first = at + struct.calcsize(head)
@@ -246,7 +248,7 @@ def _first_size(raw: bytes, at: int, order: str, big: bool) -> tuple[int, int]:
         if tag in (_WIDTH, _HEIGHT) and kind in _TIFF_TYPES:
             (found[tag],) = struct.unpack_from(order + _TIFF_TYPES[kind], raw, place + value)
     if len(found) < 2:
-        raise DamagedHeader("its size is missing")
+        raise DamagedHeader("the size is missing")
     return found[_WIDTH], found[_HEIGHT]
 
 

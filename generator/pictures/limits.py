@@ -49,7 +49,7 @@ class PictureLimits:
         if width * height > self.max_pixels:
             raise error(
                 f"{what} has {width} x {height} pixels ({width * height / 1e6:.0f} megapixels); at "
-                f"most {self.max_pixels:,} are allowed. Shrink it first."
+                f"most {self.max_pixels:,} are allowed. Shrink the picture first."
             )
         if min(width, height) < self.min_side:
             raise error(

@@ -12,8 +12,8 @@ if TYPE_CHECKING:
 
 Form = Literal["upright", "rgb", "rgba", "stored"]
 """Form of the returned pixels: "upright" is sRGB on white, rotated by the EXIF orientation; "rgb"
-and "rgba" are conversions; "stored" means the file's own values, such as palette indices or 16-bit
-greys."""
+and "rgba" are pixels converted to that mode; "stored" means the file's own values, such as palette
+indices or 16-bit greys."""
 
 
 @dataclass(frozen=True, eq=False)

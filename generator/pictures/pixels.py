@@ -79,7 +79,7 @@ def open_picture(raw: bytes, what: str, limits: PictureLimits) -> Iterator[Image
     except (TabletopError, MemoryError):
         raise
     except UnidentifiedImageError as error:
-        raise InputError(damage(what, f"its {header.format} header is not valid")) from error
+        raise InputError(damage(what, f"the {header.format} header is not valid")) from error
     except Exception as error:  # for an invalid file, decoders may raise anything
         raise InputError(damage(what, error)) from error
 

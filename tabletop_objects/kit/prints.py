@@ -109,7 +109,7 @@ PALETTES: tuple[tuple[RGB, ...], ...] = (
     ((232, 232, 230), (24, 24, 28), (200, 40, 40), (120, 122, 128), (250, 250, 248)),
     ((220, 232, 238), (36, 96, 150), (80, 160, 196), (246, 246, 240), (230, 150, 60)),
 )
-"""Combinations of colours; the first of each is the background."""
+"""Combinations of colours; the first colour of each combination is the background."""
 
 
 def landscape(rng: np.random.Generator, width: int = 192, height: int = 128) -> Tile:

@@ -35,7 +35,8 @@ FRICTION: Mapping[str, float] = MappingProxyType(
 """Sliding friction by material on a plain wooden tabletop; "device" is a case on rubber feet.
 
 Handbook ranges are wood on wood 0.25-0.5, metal on wood 0.2-0.6, leather on wood 0.3-0.6; the
-values are from their upper ends. MuJoCo takes the larger coefficient of the two in contact.
+values here are from the upper ends of these ranges. MuJoCo takes the larger coefficient of the two
+in contact.
 """
 
 

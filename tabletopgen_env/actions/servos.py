@@ -30,7 +30,7 @@ SERVO_LEAD = 0.08
 """Time by which servo commands lead a moving reference, in seconds.
 
 A servo with torque ``k (u - q) - d q'`` trails its command ``u`` by ``d / k`` = 0.1 s. A lead
-slightly below that compensates most of the lag and keeps the servo well damped.
+slightly below ``d / k`` compensates most of the lag and keeps the servo well damped.
 """
 
 _STEPS = round(1 / TIMESTEP)  # simulation steps per second

@@ -24,9 +24,9 @@ HEAD = f"""\
 Success rates on each test suite in per cent, with Wilson's 95 % interval (which treats episodes as
 independent) and the number of episodes. *Plain* episodes start from the table as generated,
 *random* ones with randomisation; *easy*, *medium* and *hard* are the suite's tables by difficulty.
-Sorted by random, then plain. The expert has access to the full state, and the suites only contain
-instances that it solved from 30 initial states. *Replayed* is the number of randomly drawn episodes
-that `tabletopgen bench check` has replayed with the same outcome."""
+Policies are sorted by *random*, then by *plain*. The expert has access to the full state, and the
+suites only contain instances that the expert solved from 30 initial states. *Replayed* is the
+number of random episodes that `tabletopgen bench check` has replayed with the same outcome."""
 
 _MARKUP = {ord(letter): f"&#{ord(letter)};" for letter in "&<>|\\`*_~[]{}$"}
 

@@ -167,9 +167,9 @@ class PolicyPlayer:
             seen = {name: _shape(size) for name, size in card.inputs.items()}
             if (seen, card.actions) != (shown, taken):
                 raise InputError(
-                    f"The policy needs observations {seen} and actions of size {card.actions}; "
-                    f"the environment with its settings has observations {shown} and actions of "
-                    f"size {taken}. Train it again with this version of the package."
+                    f"The policy needs observations {seen} and actions of size {card.actions}; an "
+                    f"environment with the policy's settings has observations {shown} and actions "
+                    f"of size {taken}. Train it again with this version of the package."
                 )
         for name in ("observation_space", "action_space"):
             own, there = getattr(self.policy, name, None), getattr(env, name)
@@ -248,7 +248,7 @@ def _own_settings(given: Any, name: str, suite: Suite) -> dict[str, Any]:
     for key in given:
         if key not in OWN | OF_TRAINING:
             why = "set by the suite" if key in KEYWORDS else "not an environment setting"
-            raise InputError(f"{name}: its env has {key!r}, which is {why}. Remove it.")
+            raise InputError(f"{name}: the policy's env has {key!r}, which is {why}. Remove it.")
     kept = {k: v for k, v in given.items() if k in OWN and k != "control_hz"}
     return {key: _plain(key, value) for key, value in sorted(kept.items())}
 
@@ -262,7 +262,7 @@ def _plain(key: str, value: Any) -> Any:
     if not isinstance(value, str | bool | int | float):
         raise InputError(
             "A policy's env may only contain strings, numbers, and lists or dicts of these, so "
-            f"that results can record it; {key} is {value!r:.80}."
+            f"that results can record the settings; {key} is {value!r:.80}."
         )
     return value
 

@@ -193,15 +193,15 @@ def read_row(entry: dict[str, Any]) -> EpisodeRow:
 def _result(payload: dict[str, Any]) -> BenchResult:
     """Parse the result in a JSON object; raise ValueError, TypeError or KeyError if invalid."""
     if check_type(payload["schema"], int) != SCHEMA:
-        raise ValueError(f"its schema is {payload['schema']!r}, not {SCHEMA}")
+        raise ValueError(f"the schema is {payload['schema']!r}, not {SCHEMA}")
     listed = check_type(payload["episodes"], list)
     if not 0 < len(listed) <= MOST_EPISODES:
-        raise ValueError(f"it lists {len(listed)} episodes")
+        raise ValueError(f"the result lists {len(listed)} episodes")
     rows = tuple(read_row(check_type(entry, dict)) for entry in listed)
     if (payload["solved"], payload["played"]) != (sum(r.solved for r in rows), len(rows)):
-        raise ValueError("its totals do not match its episodes")
+        raise ValueError("the totals do not match the episodes")
     if len({row.key for row in rows}) < len(rows):
-        raise ValueError("it lists an episode twice")
+        raise ValueError("the result lists an episode twice")
     told = {
         name: printable(payload[name], f"Its {name}", InputError)
         for name in ("suite", "version", "suites", "task")
@@ -219,7 +219,7 @@ def _result(payload: dict[str, Any]) -> BenchResult:
 def _player(entry: dict[str, Any]) -> PlayerFacts:
     if {*entry} != {field.name for field in dataclasses.fields(PlayerFacts)}:
         raise ValueError(
-            f"its player has missing or unexpected keys: {', '.join(sorted(entry))!s:.200}"
+            f"the player has missing or unexpected keys: {', '.join(sorted(entry))!s:.200}"
         )
     name, kind = (printable(entry[key], f"A {key}", InputError) for key in ("name", "kind"))
     digest = check_type(entry["digest"], str)
@@ -228,13 +228,13 @@ def _player(entry: dict[str, Any]) -> PlayerFacts:
     settings = check_type(entry["settings"], dict)
     _check_setting(settings)
     if kind not in KINDS:
-        raise ValueError(f"its player's kind must be one of {', '.join(KINDS)}, got {kind!r:.40}")
+        raise ValueError(f"the player's kind must be one of {', '.join(KINDS)}, got {kind!r:.40}")
     if kind in SIMPLE and (digest or settings):
-        raise ValueError(f"its player is {kind!r}, which cannot have a digest or settings")
+        raise ValueError(f"the player is {kind!r}, which cannot have a digest or settings")
     player = PlayerFacts(name, kind, digest, settings)
     if player.is_disguised:
         raise ValueError(
-            f"its player is a {kind} called {name!r}, a name reserved for players without a policy"
+            f"the player is a {kind} called {name!r}, a name reserved for players without a policy"
         )
     return player
 

@@ -228,6 +228,6 @@ def _check_same(path: Path, head: dict[str, Any]) -> None:
     other = [key for key, value in head.items() if check_type(payload, dict)[key] != value]
     if other:
         raise InputError(
-            f"{path} is a different result (different {', '.join(other)}). Remove it, or choose "
-            "another --out or --name."
+            f"{path} contains a different result (different {', '.join(other)}). Remove it, or "
+            "choose another --out or --name."
         )

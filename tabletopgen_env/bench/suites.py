@@ -171,19 +171,19 @@ def _suites(payload: dict[str, Any]) -> TaskSuites:
     """Parse the suites in a JSON object; raise ValueError, TypeError or KeyError if invalid."""
     _check_keys(payload, _KEYS, "it")
     if check_type(payload["schema"], int) != SCHEMA:
-        raise ValueError(f"its schema is {payload['schema']!r}, not {SCHEMA}")
+        raise ValueError(f"the schema is {payload['schema']!r}, not {SCHEMA}")
     task = check_type(payload["task"], str)
     if task not in NAMES:
         raise ValueError(f"unknown task {task!r}")
     terms = check_type(payload["terms"], dict)
     listed = check_type(payload["tables"], list)
     if len(listed) > MOST_TABLES:
-        raise ValueError(f"it lists more than {MOST_TABLES} tables")
+        raise ValueError(f"the suite lists more than {MOST_TABLES} tables")
     episodes = check_type(payload["episodes"], dict)
     _check_keys(episodes, _CONDITIONS, "episodes")
     tables = tuple(_table(check_type(entry, dict), task) for entry in listed)
     if len({table.digest for table in tables}) < len(tables):
-        raise ValueError("it lists a table twice")
+        raise ValueError("the suite lists a table twice")
     return TaskSuites(
         version=printable(payload["version"], "A version", InputError, max_length=40),
         task=task,
@@ -240,7 +240,7 @@ def _randomization(entry: dict[str, Any]) -> Randomization:
 
 def _distribution(entry: dict[str, Any]) -> SceneDistribution:
     known = [field.name for field in dataclasses.fields(SceneDistribution)]
-    _check_keys(entry, known, "its distribution")
+    _check_keys(entry, known, "the distribution")
     lists: dict[str, Any] = {name: tuple(check_type(value, list)) for name, value in entry.items()}
     lists["needs"] = tuple(tuple(check_type(need, list)) for need in lists["needs"])
     return SceneDistribution(**lists)
@@ -252,7 +252,7 @@ def _levels(entries: list[Any]) -> tuple[SuiteLevel, ...]:
         name, low, high = check_type(entry, list)
         levels.append(SuiteLevel(printable(name, "A level", InputError), _share(low), _share(high)))
     if not levels or not all(level.low < level.high for level in levels):
-        raise ValueError("its levels are not valid ranges")
+        raise ValueError("the levels are not valid ranges")
     return tuple(levels)
 
 

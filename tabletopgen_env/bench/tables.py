@@ -112,8 +112,8 @@ def _compose(suites: TaskSuites, table: SuiteTable) -> Scene:
     if digest(scene) == table.digest:
         return scene
     raise SceneError(
-        f"The table {table.digest} of {suites.task.lower()}-{table.split} is generated here as "
-        f"{found}, which differs. {_difference(suites)}"
+        f"The table {table.digest} of {suites.task.lower()}-{table.split} is not reproduced on "
+        f"this machine, which generates {found} instead. {_difference(suites)}"
     )
 
 

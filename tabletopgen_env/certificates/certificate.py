@@ -142,7 +142,7 @@ def read_certificate(path: str | Path) -> Certificate | None:
         if 1 <= schema < SCHEMA:
             return None
         if schema != SCHEMA:
-            raise ValueError(f"its schema is {schema}, not {SCHEMA}")
+            raise ValueError(f"the schema is {schema}, not {SCHEMA}")
         found = _decode(payload)
     except (ValueError, TypeError, KeyError, BundleError) as error:
         raise BundleError(
@@ -188,7 +188,7 @@ def _decode(payload: dict[str, Any]) -> Certificate:
     }
     listed = check_type(payload["instances"], list)
     if len(listed) > MOST_INSTANCES:
-        raise ValueError(f"it lists more than {MOST_INSTANCES} instances")
+        raise ValueError(f"the certificate lists more than {MOST_INSTANCES} instances")
     return Certificate(
         scene, asked, versions, tuple(_decoded_instance(check_type(i, dict), asked) for i in listed)
     )
@@ -204,7 +204,7 @@ def _decoded_instance(entry: dict[str, Any], terms: Terms) -> TaskInstance:
 
     task_named(task, preset)  # raises for unknown names
     if task not in terms.tasks:
-        raise ValueError(f"it lists an instance of {task}, a task that its settings do not list")
+        raise ValueError(f"an instance has the task {task}, which the settings do not list")
     solved, played = check_type(entry["successes"], int), check_type(entry["episodes"], int)
     if not 0 <= solved <= played <= MOST_EPISODES:
         raise ValueError(f"invalid counts: {solved} of {played} episodes")

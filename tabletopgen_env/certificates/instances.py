@@ -75,10 +75,10 @@ def _nothing_certified(world: World, name: TaskName, listed: int, episodes: int)
     """Return the error for a scene that has valid tasks, none of which is certified."""
     asked = name.task + (f" with the preset {name.preset!r}" if name.preset else "")
     if not listed:
-        why = f"its certificate has no instance of {asked}"
+        why = f"the certificate has no instance of {asked}"
     elif episodes < STARTS:
         why = (
-            f"its certificate was made with {episodes} episodes per instance, but fewer than "
+            f"the certificate was made with {episodes} episodes per instance, but fewer than "
             f"{STARTS} certify nothing"
         )
     else:

@@ -38,9 +38,9 @@ class CertificateDoubt:
         """Describe the problem in a sentence."""
         seen = self.instance
         return (
-            f"{_name_of(seen)}: {seen.successes} of {seen.episodes} episodes is impossible "
-            f"({self.kind}: an instance ends at its first failure, after at most {self.limit} "
-            "episodes)"
+            f"{_name_of(seen)}: {seen.successes} of {seen.episodes} successful episodes is an "
+            f"impossible result ({self.kind}: an instance ends at its first failure, after at most "
+            f"{self.limit} episodes)"
         )
 
 

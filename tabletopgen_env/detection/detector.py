@@ -96,10 +96,10 @@ def read_detector(path: Path = PATH) -> GraspDetector:
 
     try:
         if path.stat().st_size > _MAX_BYTES:
-            raise ValueError(f"it has more than {_MAX_BYTES} bytes")
+            raise ValueError(f"the file has more than {_MAX_BYTES} bytes")
         weights = {key: value.astype(np.float32) for key, value in load(path.read_bytes()).items()}
         if {key: value.shape for key, value in weights.items()} != _shapes():
-            raise ValueError("it belongs to another network")
+            raise ValueError("the file belongs to another network")
         if not all(np.isfinite(value).all() for value in weights.values()):
             raise ValueError("some weights are not finite")
     except (SafetensorError, ValueError, OSError) as error:

@@ -31,7 +31,8 @@ INSIDE = 0.05
 """Margin between planned joint angles and the joint limits, in radians."""
 
 NARROW = 0.38
-"""Minimum distance of the hand from the base's axis, in metres; nearer, the arm must fold."""
+"""Minimum distance of the hand from the base's axis, in metres; closer to the axis, the arm must
+fold."""
 
 # minimum distance from the base's axis, metres: closer, the arm would have to fold differently
 _NEAREST = 0.28

@@ -168,7 +168,7 @@ def read_file(path: str | Path) -> GraspFile | None:
     try:
         payload = parse_object(raw, "It", BundleError, max_bytes=_MAX_FILE, max_depth=_DEPTH)
         if check_type(payload.get("schema"), int) != SCHEMA:
-            raise ValueError(f"its schema is {payload['schema']}, not {SCHEMA}")
+            raise ValueError(f"the schema is {payload['schema']}, not {SCHEMA}")
         found = _decode_file(payload)
     except (ValueError, TypeError, KeyError, BundleError, InputError) as error:
         raise BundleError(
@@ -245,7 +245,7 @@ def _decode_file(payload: dict[str, Any]) -> GraspFile:
     }
     objects = check_type(payload["objects"], dict)
     if len(objects) > bundle.BOUNDS.objects:
-        raise ValueError(f"it lists more than {bundle.BOUNDS.objects} objects")
+        raise ValueError(f"the file lists more than {bundle.BOUNDS.objects} objects")
     labels = {
         printable(name, "An object", BundleError): decode_labels(entry)
         for name, entry in objects.items()

@@ -45,7 +45,7 @@ ERROR = (0.0025, float(np.deg2rad(3.0)))
 """Standard deviations of the hand's position along each axis (m) and rotation about each (rad)."""
 
 FRICTION = (0.5, 1.0)
-"""Range of the factor applied to the friction coefficient of the finger pads, which is 1.3."""
+"""Range of the factor applied to the finger pads' friction coefficient of 1.3."""
 
 GRAVITY, SWING = 9.81, 5.0
 """Accelerations of the lift and of the shake, in m/s²."""

@@ -39,7 +39,8 @@ SHIPPED = Path(__file__).with_name("trained")
 """Folder of the policies shipped with the package."""
 
 KEY = "tabletopgen_policy"
-"""Key of the card in the header; a single key, since safetensors does not preserve the order."""
+"""Key of the header under which the policy's card is stored as one string, since safetensors does
+not preserve the order of keys."""
 
 FORMAT = 1
 """Version of the file format; other versions are rejected."""
@@ -259,7 +260,7 @@ def _fill(actor: Actor, weights: Mapping[str, Tensor]) -> None:
     own = actor.state_dict()
     if set(own) != set(weights):
         odd = sorted(set(own) ^ set(weights))[:3]
-        raise ValueError(f"its weights do not match its network: {', '.join(odd)}")
+        raise ValueError(f"the weights do not match the network: {', '.join(odd)}")
     for name, value in weights.items():
         if value.dtype not in (torch.float16, torch.float32) or value.shape != own[name].shape:
             raise ValueError(f"{name} is {value.dtype} of {tuple(value.shape)}, not "
@@ -285,7 +286,7 @@ def _check_answers(kept: list[float], own: list[float]) -> None:
     """Raise ValueError if a network's outputs differ from the saved ones."""
     if len(kept) != len(own) or not np.allclose(kept, own, rtol=1e-3, atol=1e-3):
         raise ValueError(
-            "its network's outputs differ from the saved ones: this version of the package "
+            "the network's outputs differ from the saved ones: this version of the package "
             "processes observations differently, or the file was changed"
         )
 
@@ -293,16 +294,16 @@ def _check_answers(kept: list[float], own: list[float]) -> None:
 def _card(notes: Mapping[str, str]) -> tuple[Card, list[float]]:
     """Return the validated card in a file's header, and the saved outputs."""
     if KEY not in notes:
-        raise ValueError(f"its header has no {KEY!r}")
+        raise ValueError(f"the header has no {KEY!r}")
     if len(notes[KEY]) > _MOST_CARD:
-        raise ValueError(f"its card has more than {_MOST_CARD} characters")
-    payload = parse_object(notes[KEY], "its card", InputError)
+        raise ValueError(f"the card has more than {_MOST_CARD} characters")
+    payload = parse_object(notes[KEY], "the card", InputError)
     _check_printable(payload)
     version = payload.pop("format", None)
     if type(version) is not int or version != FORMAT:
-        raise ValueError(f"its version is {version!r}, but this package reads version {FORMAT}")
+        raise ValueError(f"the version is {version!r}, but this package reads version {FORMAT}")
     if set(payload) != {*(f.name for f in fields(Card)), "answers"}:
-        raise ValueError(f"its card has unexpected keys: {', '.join(sorted(payload))}")
+        raise ValueError(f"the card has unexpected keys: {', '.join(sorted(payload))}")
     inputs = {check_type(k, str): _shape(v) for k, v in check_type(payload["inputs"], dict).items()}
     parts = [math.prod(shape_of(shape)) for shape in inputs.values()]
     sizes = (*(n for shape in inputs.values() for n in shape_of(shape)), payload["actions"])
@@ -314,7 +315,7 @@ def _card(notes: Mapping[str, str]) -> tuple[Card, list[float]]:
         or sizes[-1] > _MOST_ACTIONS
     ):
         raise ValueError(f"invalid sizes {sizes}")
-    network = network_of(check_type(payload["network"], dict), "its card")
+    network = network_of(check_type(payload["network"], dict), "the card")
     wide = (min(sum(parts), _MOST_INPUTS), *network.layers, check_type(payload["actions"], int))
     if sum(a * b for a, b in itertools.pairwise(wide)) > MOST_BYTES:
         raise ValueError(f"invalid layer widths {network.layers}")

@@ -170,8 +170,8 @@ class Recipe:
             (self.hindsight and self.observation != "goal", "hindsight needs observation='goal'"),
             (self.hindsight and self.algorithm not in ("sac", "td3"), "hindsight needs SAC or TD3"),
             (self.hindsight and self.env.get("grasp_hint"),
-             "hindsight cannot be combined with grasp_hint, whose entries follow the true "
-             "goal and not the relabelled one; remove one of them"),
+             "hindsight cannot be combined with grasp_hint, whose entries follow the true goal and "
+             "not the relabelled goal; remove one of the two settings"),
             (self.demonstrations and self.algorithm not in ("sac", "td3"),
              "demonstrations need the replay buffer of SAC or TD3"),
             (self.cloning is not None and self.algorithm not in ("sac", "clone"),
@@ -180,7 +180,7 @@ class Recipe:
             (self.batch is not None and self.algorithm != "ppo-batch",
              "only 'ppo-batch' trains on a batch"),
             (self.batch is not None and self.processes is not None,
-             "batch and processes cannot be combined; remove one of them"),
+             "batch and processes cannot be combined; remove one of the two settings"),
             (self.cloning is not None
              and self.observation != ("pixels+proprio" if sees else "state"),
              "cloning needs observation='state', or 'pixels+proprio' for the extractor 'sight'"),
@@ -316,7 +316,7 @@ def _change(text: str) -> dict[str, Any]:
     key, equals, value = text.partition("=")
     try:
         if not equals:
-            raise ValueError("it lacks '='")
+            raise ValueError("the change lacks '='")
         try:
             return _toml(f"{key} = {value}")
         except ValueError:  # an unquoted word is a string

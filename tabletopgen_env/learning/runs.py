@@ -216,7 +216,7 @@ def open_run(path: Path) -> Run:
     try:
         payload = _object(path / _RECIPE)
         if check_type(payload.get("format"), int) != FORMAT:
-            raise ValueError(f"its format is not {FORMAT}")
+            raise ValueError(f"the format is not {FORMAT}")
         recipe = recipe_of(check_type(payload["recipe"], dict))
         return Run(path, recipe, check_type(payload["seed"], int))
     except (ValueError, TypeError, KeyError, AttributeError) as error:
@@ -260,7 +260,7 @@ def _row(cells: Mapping[str, str]) -> EvaluationRow:
         int(cells["solved"]), float(cells["reward"]), float(cells["length"]),
     )  # fmt: skip
     if not all(math.isfinite(v) for v in (row.seconds, row.reward, row.length)):
-        raise ValueError("its numbers must be finite")
+        raise ValueError("the numbers must be finite")
     if not (0 <= row.steps < _MOST_STEPS and 0 <= row.solved <= row.episodes and row.episodes):
         raise ValueError(
             f"invalid counts: {row.solved} of {row.episodes} episodes after {row.steps} steps"

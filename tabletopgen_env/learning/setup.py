@@ -248,6 +248,6 @@ def _check_start(recipe: Recipe) -> None:
     require_number(f"{recipe.name}: options.learning_starts", starts, minimum=0, integer=True)
     if not recipe.demonstrations and starts <= first:
         raise InputError(
-            f"{recipe.name}: with hindsight, learning_starts must exceed {first}, the steps of "
-            f"{recipe.envs} episodes of {recipe.task}, got {starts}."
+            f"{recipe.name}: with hindsight, learning_starts must exceed {first}, the number of "
+            f"steps of {recipe.envs} episodes of {recipe.task}, got {starts}."
         )

@@ -64,8 +64,8 @@ class InstructionText(spaces.Text):
         self._warned = True
         warnings.warn(
             "The observation contains the instruction as a string (spaces.Text), which "
-            "Stable-Baselines3 cannot read: for its algorithms, create the environment with "
-            "instruction='embedding', 'tokens' or 'none'; info['instruction'] has the string.",
+            "Stable-Baselines3 cannot read. Create the environment with instruction='embedding', "
+            "'tokens' or 'none'; info['instruction'] contains the string.",
             stacklevel=3,
         )
 

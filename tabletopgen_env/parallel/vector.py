@@ -288,8 +288,8 @@ class TabletopVectorEnv(VectorEnv[Any, Any, Any]):
         if isinstance(self._runner, ThreadSlots):
             return self._runner.slots.envs
         raise InputError(
-            "The environments of these slots are in other processes; use call, get_attr, set_attr "
-            "or visit."
+            "The environments of this vector environment are in other processes; use call, "
+            "get_attr, set_attr or visit."
         )
 
     @property
@@ -342,8 +342,8 @@ class TabletopVectorEnv(VectorEnv[Any, Any, Any]):
         if self._process != os.getpid():
             raise InputError(
                 "This vector environment was created before the process was forked, and its "
-                "threads and processes do not exist here; create one here, or send a pickled "
-                "copy."
+                "threads and processes do not exist in this process. Create a new vector "
+                "environment in this process, or send a pickled copy."
             )
 
     def _check_playing(self) -> None:

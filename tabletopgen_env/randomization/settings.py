@@ -30,7 +30,7 @@ SWITCHES: Mapping[str, tuple[str, ...]] = MappingProxyType(
         "start": ("start_joints", "start_move", "start_turn"),
     }
 )
-"""The settings of each switch; a switch is off if all of them have their defaults."""
+"""The settings of each switch; a switch is off if all of its settings have their default values."""
 
 _RANGES = ("ambient", "mass", "friction", "stiffness", "damping")
 _LATEST = 100

@@ -60,7 +60,7 @@ def publish_in_parts(target: Path, key: Mapping[str, Any], resume: bool) -> Iter
     with storing(target):
         target.parent.mkdir(parents=True, exist_ok=True)
         if part.is_symlink():
-            raise InputError(f"{part} is a symbolic link. Remove it, or choose another path.")
+            raise InputError(f"{part} is a symbolic link. Remove the link, or choose another path.")
         if part.is_dir() and not resume:
             raise InputError(
                 f"An interrupted recording to {target} exists. Continue it with --resume, or "
@@ -100,7 +100,7 @@ def _claim(part: Path, key: Mapping[str, Any]) -> None:
     if other:
         raise InputError(
             f"The interrupted recording in {part} has different settings: {'; '.join(other)}. Use "
-            "the same settings, or remove the recording."
+            "the original settings, or remove the recording."
         )
 
 

@@ -194,8 +194,8 @@ def _write(
             missed += 1
             if missed == MOST_MISSES:
                 raise SceneError(
-                    f"None of {missed} consecutive episodes was kept. Use other scenes, "
-                    f"another task or less noise. Reason for the last one: {episode}"
+                    f"None of {missed} consecutive episodes was kept. Use other scenes, another "
+                    f"task or less noise. Reason for the last episode: {episode}"
                 )
         else:
             missed = 0

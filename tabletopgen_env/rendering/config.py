@@ -223,7 +223,7 @@ def _some(what: str, wanted: Any, known: Collection[str]) -> tuple[str, ...]:
         _check_name(what, name, known)
     if not names or len(set(names)) < len(names):
         raise InputError(
-            f"An observation must have at least one {what}, without repetition, got {names}."
+            f"An observation must have at least one {what} and no duplicates, got {names}."
             + choices("", known)
         )
     return names

@@ -38,7 +38,8 @@ NEAREST = 0.30
 """Minimum horizontal distance from the base at which the hand can point straight down (metres)."""
 
 STRETCH = 0.70
-"""Maximum distance from the shoulder to the wrist joint, metres (0.72 is a straight arm)."""
+"""Maximum distance from the shoulder to the wrist joint, in metres; at 0.72 m, the arm is
+straight."""
 
 CLEARANCE = 0.13
 """Radius about the base's axis that must be free of objects, in metres."""

@@ -37,9 +37,8 @@ FREE = 0.12
 """Gap to the nearest neighbour, in metres, above which the hand is unobstructed."""
 
 NEAR, FAR = 0.45, 0.77
-"""Distances from the robot's base, in metres: the distance term is 0 up to the first and 1 from the
-second on, which is the limit of the robot's reach.
-"""
+"""Distances from the robot's base, in metres: the distance term is 0 up to the first distance and 1
+beyond the second distance, which is the limit of the robot's reach."""
 
 SMALL, TINY = 0.03, 0.01
 """Widths, in metres: the size term grows below the first and reaches 1 at the second."""

@@ -70,7 +70,7 @@ class SplitRule:
             )
         if bool(self.categories) != (self.by == "category"):
             raise InputError(
-                "Split.categories must be given if, and only if, by is 'category', got "
+                "Split.categories must be given if and only if Split.by is 'category', got "
                 f"by={self.by!r} and categories={tuple(self.categories)}."
             )
         object.__setattr__(self, "categories", tuple(sorted({_key(c) for c in self.categories})))

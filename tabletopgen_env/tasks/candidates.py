@@ -25,13 +25,15 @@ from .task import Choice, Episode
 ROOM = 0.008
 """Minimum clearance between a container's hollow and an object in it at any yaw, in metres."""
 
-NO_GRASP = "the arm cannot reach any grasp of it, or its neighbours leave no room for the hand"
+NO_GRASP = (
+    "no grasp of the object is in the arm's reach, or its neighbours leave no room for the hand"
+)
 """Reason for objects without a reachable grasp according to ``has_grasp``."""
 
 _TURNS = tuple(k * math.pi / 6 for k in range(-6, 6))
 
 Reasons = dict[str, str | None]
-"""Reasons why objects cannot be used; None for usable ones."""
+"""The reason why each object cannot be used, or None for a usable object."""
 
 
 def liftable(world: World) -> Reasons:
@@ -48,7 +50,7 @@ def blocking_reason(world: World, obj: Object) -> str | None:
     if (between := obstacle(world.scene, world.mount, obj.name)) is not None:
         return f"{between} obstructs the arm"
     if obj.placement.inside:
-        return f"it lies inside {obj.placement.on}, out of the fingers' reach"
+        return f"the object lies inside {obj.placement.on}, out of the fingers' reach"
     loaded = [o.name for o in world.scene.objects if o.placement.on == obj.name]
     return f"{loaded[0]} stands on it" if loaded else None
 

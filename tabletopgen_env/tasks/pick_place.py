@@ -55,5 +55,5 @@ class PickPlace(Task):
                 return episode(world, (on_spot(world, obj, spot),))
             return episode(world, (into(world, obj, fitting[0]),)) if fitting else None
 
-        lacks = "there is no container that fits it, and no free spot in reach"
+        lacks = "no container fits the object, and no free spot is in reach"
         return draw_episode(world, rng, target, reasons, make, lacks)

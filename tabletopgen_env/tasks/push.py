@@ -78,13 +78,13 @@ def slidable(world: World) -> Reasons:
 
 def _fixed_reason(world: World, obj: Object) -> str | None:
     if not on_table(obj):
-        return f"it stands on {obj.placement.on}"
+        return f"the object stands on {obj.placement.on}"
     if obj.mass > HEAVIEST:
-        return f"its mass of {obj.mass:.3g} kg exceeds {HEAVIEST} kg"
+        return f"the mass of {obj.mass:.3g} kg exceeds {HEAVIEST} kg"
     if resting_height(obj) > SLENDER * grasp_width(obj) or tips(obj):
-        return "it would topple or roll"
+        return "the object would topple or roll"
     if resting_height(obj) < 0.01:
-        return "it is too flat for the fingers"
+        return "the object is too flat for the fingers"
     return blocking_reason(world, obj)
 
 

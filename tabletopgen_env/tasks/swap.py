@@ -44,7 +44,7 @@ class Swap(Task):
         reasons = liftable(world)
         for obj in world.scene.objects:
             if not on_table(obj):
-                reasons[obj.name] = reasons[obj.name] or f"it stands on {obj.placement.on}"
+                reasons[obj.name] = reasons[obj.name] or f"the object stands on {obj.placement.on}"
         fit = [name for name, why in reasons.items() if why is None]
 
         def make(obj: Object) -> Episode | None:

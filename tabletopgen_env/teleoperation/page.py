@@ -181,12 +181,12 @@ def read_input(message: str | bytes) -> HumanInput:
         payload = json.loads(message)
         keys, axes, buttons = (_list_of(payload, name) for name in ("keys", "axes", "buttons"))
         if not all(isinstance(key, str) for key in keys):
-            raise ValueError("its keys must be strings")
+            raise ValueError("the keys must be strings")
         if not all(type(b) is int and 0 <= b < _MAX_BUTTONS for b in buttons):
-            raise ValueError("its buttons must be small integers")
+            raise ValueError("the buttons must be small integers")
         given = tuple(float(axis) if type(axis) in (int, float) else np.nan for axis in axes)
         if not all(-1.0 <= axis <= 1.0 for axis in given):
-            raise ValueError("its axes must be in [-1, 1]")
+            raise ValueError("the axes must be in [-1, 1]")
     except (ValueError, TypeError, KeyError, RecursionError, OverflowError) as error:
         raise InputError(
             f"An input message must have the lists keys, axes and buttons: {error}."

@@ -36,12 +36,12 @@ ZENITH: Color = (0.58, 0.65, 0.74)
 """Colour of the sky overhead where no haze is drawn, as in MuJoCo's viewer."""
 
 FLOOR_HALF = 3.0
-"""Half the side of the floor, in metres. In the front camera's view it ends in the haze; an endless
-floor would take a third of the drawing time of a small picture."""
+"""Half the side of the floor, in metres. In the front camera's view the floor ends in the haze; an
+endless floor would take a third of the drawing time of a small picture."""
 
 AMBIENT, HEADLIGHT, SUN = 0.38, 0.20, 0.46
-"""Ambient light, headlight, and sunlight. A surface that faces the sun and the camera receives
-their sum, which slightly exceeds full brightness for white."""
+"""Ambient light, headlight, and sunlight. A surface that faces the sun and the camera receives the
+sum of all three, which slightly exceeds full brightness for white."""
 
 BRIGHTEST = AMBIENT + HEADLIGHT + SUN
 """The maximum light that the exposure compensates; see ``exposure``."""

@@ -105,18 +105,22 @@ def parse_answers(raw: bytes, key: StudyKey) -> RaterAnswers:
         InputError: the answers are invalid; the message gives the reason.
     """
     facts = parse_object(raw, "It", InputError, max_bytes=MAX_ANSWER_BYTES, max_depth=6)
-    _expect(facts.get("schema") == SCHEMA, f"it has schema {facts.get('schema')!r:.20}")
-    _expect(facts.get("study") == key.study, f"it belongs to study {facts.get('study')!r:.40}")
+    _expect(facts.get("schema") == SCHEMA, f"the file has schema {facts.get('schema')!r:.20}")
+    _expect(
+        facts.get("study") == key.study, f"the file belongs to study {facts.get('study')!r:.40}"
+    )
     names = {"schema", "study", "rater", "language", "seconds", "scenes", "checks"}
-    _expect(facts.keys() == names, "it has missing or unexpected entries")
+    _expect(facts.keys() == names, "the file has missing or unexpected entries")
     rater, language = facts["rater"], facts["language"]
-    _expect(_matches(_RATER, rater), "its rater must be 16 hexadecimal digits")
-    _expect(_matches(_LANGUAGE, language), "its language is unknown")
-    _expect(is_number(facts["seconds"], maximum=_MAX_SECONDS), "its duration is out of range")
+    _expect(_matches(_RATER, rater), "the rater must be 16 hexadecimal digits")
+    _expect(_matches(_LANGUAGE, language), "the language is unknown")
+    _expect(is_number(facts["seconds"], maximum=_MAX_SECONDS), "the duration is out of range")
     scenes = tuple(_scene(entry, key) for entry in _list(facts["scenes"], "scenes"))
     codes = [scene.scene for scene in scenes]
     _expect(len(set(codes)) == len(codes), "a scene occurs twice")
-    _expect(len(codes) == key.scenes_each, f"it rates {len(codes)} of {key.scenes_each} scenes")
+    _expect(
+        len(codes) == key.scenes_each, f"the file rates {len(codes)} of {key.scenes_each} scenes"
+    )
     failed = _count_failed(_list(facts["checks"], "checks"), codes, key)
     return RaterAnswers(rater, language, float(facts["seconds"]), scenes, failed)
 
@@ -126,7 +130,7 @@ def _split(raw: bytes) -> list[bytes]:
     if not raw.lstrip().startswith(b"["):
         return [raw]
     found = _list(parse_json(raw, "It", InputError), "answers")
-    _expect(bool(found), "its list is empty")
+    _expect(bool(found), "the list is empty")
     return [json.dumps(each).encode() for each in found]
 
 
@@ -156,7 +160,7 @@ def _scene(entry: Any, key: StudyKey) -> SceneAnswers:
     code = entry["scene"]
     scene = key.scenes.get(code) if isinstance(code, str) else None
     if scene is None:
-        raise InputError(f"it rates the unknown scene {code!r:.40}.")
+        raise InputError(f"the file rates the unknown scene {code!r:.40}.")
     _expect(is_number(entry["seconds"], maximum=_MAX_SECONDS), "a scene's duration is out of range")
     order = _list(entry["order"], "order")
     _expect(all(isinstance(one, str) for one in order), "an order contains an invalid code")
@@ -185,7 +189,10 @@ def _marks(marks: Any, code: str) -> tuple[int, ...]:
 
 
 def _count_failed(checks: Sequence[Any], codes: Sequence[str], key: StudyKey) -> int:
-    _expect(len(checks) == key.attention, f"it has {len(checks)} of {key.attention} checks")
+    _expect(
+        len(checks) == key.attention,
+        f"the file has {len(checks)} of {key.attention} attention checks",
+    )
     for check in checks:
         _expect(isinstance(check, dict) and check.keys() == {"scene", "asked", "given"},
                 "an attention check has missing or unexpected entries")  # fmt: skip
@@ -206,7 +213,7 @@ def _matches(pattern: re.Pattern[str], value: Any) -> bool:
 
 
 def _list(value: Any, what: str) -> list[Any]:
-    _expect(isinstance(value, list), f"its {what} must be a list")
+    _expect(isinstance(value, list), f"the {what} must be a list")
     return value
 
 

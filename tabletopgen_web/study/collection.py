@@ -168,10 +168,12 @@ def _read_inputs(folder: Path, ignored: list[str]) -> list[_Input]:
             continue
         one = _Input(path.stem, digest_of(read_picture(path)), path, False)
         if (other := known.setdefault(one.digest, one)) is not one:
-            raise InputError(f"{str(path)!r} is the same picture as {other.stem!r}; remove one.")
+            raise InputError(
+                f"{str(path)!r} is the same picture as {other.stem!r}; remove one of them."
+            )
     stems = [one.stem for one in known.values()]
     if twice := next((s for s in stems if stems.count(s) > 1), None):
-        raise InputError(f"{str(folder)!r} has two pictures named {twice!r}; rename one.")
+        raise InputError(f"{str(folder)!r} has two pictures named {twice!r}; rename one of them.")
     if not known:
         raise InputError(f"--inputs {str(folder)!r} contains no pictures. Add SCENE.png files.")
     return list(known.values())
@@ -185,8 +187,8 @@ def _inputs_of(found: Mapping[str, Sequence[FoundResult]]) -> list[_Input]:
             known.setdefault(digest, _Input(result.stem, digest, result.path, True))
     if not known:
         raise InputError(
-            "None of the results includes its input picture. Pass a folder of input pictures with "
-            "the names of the results as --inputs."
+            "None of the results includes its input picture. Pass a folder of input pictures that "
+            "have the names of the results, with --inputs."
         )
     return list(known.values())
 
@@ -213,8 +215,9 @@ def _check_complete(
         more = f", and {len(missing) - 10} more" if len(missing) > 10 else ""
         raise InputError(
             f"Every method needs a result for every scene: {', '.join(missing[:10])}{more}. Add "
-            f"them, or remove the other methods' results for those scenes. Bundles of one scene "
-            f"with different input pictures are matched by name if --inputs gives the pictures."
+            "the missing results, or remove the other methods' results for those scenes. Bundles "
+            "of one scene with different input pictures are matched by name if --inputs gives the "
+            "pictures."
         )
     if len(used) > MAX_SCENES:
         raise InputError(f"There are {len(used)} scenes; the maximum is {MAX_SCENES}.")

@@ -77,7 +77,7 @@ def read_key(path: Path) -> StudyKey:
 
 def _key(facts: Mapping[str, Any]) -> StudyKey:
     if facts["schema"] != SCHEMA:
-        raise ValueError(f"its schema is {facts['schema']!r:.20}, not {SCHEMA}")
+        raise ValueError(f"the schema is {facts['schema']!r:.20}, not {SCHEMA}")
     methods = check_methods(facts["methods"])
     counts = facts["seed"], facts["scenes_each"], facts["attention"]
     if not (type(facts["seed"]) is int and all(map(is_count, counts[1:]))):

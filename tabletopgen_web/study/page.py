@@ -78,8 +78,8 @@ def write_study(files: StudyFiles, out: Path) -> tuple[Path, Path]:
     new = not key.is_file()
     if not new and read_key(key).study != files.key.study:
         raise InputError(
-            f"{str(key)!r} is the key of another study, and its answers cannot be read without "
-            f"it. Choose another --out, or move the key."
+            f"{str(key)!r} is the key of another study, whose answers cannot be read without that "
+            "key. Choose another --out, or move the key."
         )
     try:
         out.parent.mkdir(parents=True, exist_ok=True)

@@ -153,19 +153,19 @@ def _hashes(element: re.Pattern[str], template: str) -> str:
 
 def _blind_key(facts: Mapping[str, Any]) -> StudyKey:
     if facts["schema"] != SCHEMA:
-        raise ValueError(f"its schema is {facts['schema']!r:.20}, not {SCHEMA}")
+        raise ValueError(f"the schema is {facts['schema']!r:.20}, not {SCHEMA}")
     names = {"schema", "study", "title", "scenesEach", "attention", "scenes", "post"}
     scenes, each, attention = facts["scenes"], facts["scenesEach"], facts["attention"]
     if facts.keys() != names or not STUDY.fullmatch(facts["study"]):
-        raise ValueError("it has missing or unexpected entries")
+        raise ValueError("the study has missing or unexpected entries")
     if not (isinstance(scenes, list) and 1 <= len(scenes) <= MAX_SCENES):
         raise ValueError(f"a study must have 1 to {MAX_SCENES} scenes")
     if not (is_count(each) and is_count(attention) and attention <= each <= len(scenes) and each):
-        raise ValueError("its counts do not match its scenes")
+        raise ValueError("the counts do not match the scenes")
     keyed = dict(_blind_scene(scene) for scene in scenes)
     columns = {tuple(one.results.values()) for one in keyed.values()}
     if len(keyed) < len(scenes) or len(columns) != 1:
-        raise ValueError("its scenes do not have the same methods")
+        raise ValueError("the scenes do not have the same methods")
     title = printable(facts["title"], "title", InputError)
     return StudyKey(facts["study"], title, 0, columns.pop(), each, attention, 0.0, keyed)
 

@@ -198,7 +198,7 @@ def test_files_are_taken_only_if_they_are_the_pinned_ones(
     assert [p.name for p in tmp_path.iterdir()] == [home.name]  # nothing half-fetched stays
     assert weights.read_weights(tmp_path, pinned[0]) == b"one"
     (home / "sam.onnx").write_bytes(b"too")
-    with pytest.raises(BackendError, match="Delete it and run"):
+    with pytest.raises(BackendError, match="Delete the file and run"):
         weights.read_weights(tmp_path, pinned[1])
 
 

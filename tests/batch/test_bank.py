@@ -121,9 +121,10 @@ def test_scenes_with_too_many_objects_are_named_and_left_out() -> None:
     assert bank.scenes == ("vanity",) and bank.sources == (0,)
     (left,) = bank.left_out
     assert (left.source, left.name) == (1, "coffee-square")
-    assert left.reason == "it has 5 objects, but max_objects is 4"
+    assert left.reason == "the scene has 5 objects, but max_objects is 4"
     with pytest.raises(
-        InputError, match=r"None of the .* scenes fits.*'vanity': it has 4 objects.*raise max"
+        InputError,
+        match=r"None of the .* scenes fits.*'vanity': the scene has 4 objects.*raise max",
     ):
         SceneBank(shipped("vanity", "coffee-square"), max_objects=3)
     with pytest.raises(InputError, match="at least one world"):

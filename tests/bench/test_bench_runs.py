@@ -164,7 +164,7 @@ def test_a_result_of_something_else_is_kept(
 ) -> None:
     played(suite, "zero", tmp_path, store)
     (tmp_path / "reach-test_zero.json").rename(tmp_path / "reach-test_random.json")
-    with pytest.raises(InputError, match="is a different result"):
+    with pytest.raises(InputError, match="contains a different result"):
         played(suite, "random", tmp_path, store)
 
 

@@ -88,6 +88,6 @@ def test_the_readme_is_short_and_shows_the_test_command() -> None:
 def test_the_quickstart_names_every_extra() -> None:
     project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
     text = (ROOT / "docs/quickstart.md").read_text(encoding="utf-8")
-    (line,) = (line for line in text.splitlines() if "Extras:" in line)
-    named = set(re.findall(r"`([a-z]+)`", line.partition("Extras:")[2]))
+    (line,) = (line for line in text.splitlines() if "following extras:" in line)
+    named = set(re.findall(r"`([a-z]+)`", line.partition("following extras:")[2]))
     assert named >= {*project["optional-dependencies"]} - {"dev"}

@@ -93,7 +93,7 @@ def test_what_the_expert_did_not_do_is_found(
         said = verify(code=1).out
     assert "Lift (target cube_1): episode 0 is not solved, but is listed as solved" in said
     with_instances(bundle, TaskInstance("Lift", "cube_1", None, 40, 40))
-    assert "40 of 40 episodes is impossible (too many" in verify(code=1).out
+    assert "40 of 40 successful episodes is an impossible result (too many" in verify(code=1).out
     listed = json.loads(verify("--json", code=1).out)[bundle.name]
     assert len(listed["failures"]) == 1 and "is impossible" in listed["failures"][0]
     assert (listed["replayed"], listed["seed"]) == (0, 1)

@@ -171,7 +171,7 @@ def test_a_scene_without_a_solved_instance_is_passed_over(
         ([TaskInstance("Lift", "", None, 20, 20)], {"episodes": 20},
          r"made with 20 episodes .* fewer than 30 certify nothing"),
         ([TaskInstance("Push", "mug_1", "spot", 10, 10)], {"tasks": ["Lift"]},
-         r"its certificate has no instance of Lift\. .*=False"),
+         r"the certificate has no instance of Lift\. .*=False"),
     ],
     ids=["never solved", "too few episodes", "nothing listed"],
 )  # fmt: skip

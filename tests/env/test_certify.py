@@ -178,7 +178,7 @@ def spoilt(payload: dict[str, Any], **changes: Any) -> dict[str, Any]:
         (lambda p: spoilt(p, successes=9), "9 of 2"),
         (lambda p: spoilt(p, successes=True), "type int"),
         (lambda p: spoilt(p, task="Juggle"), "Unknown task 'Juggle'"),
-        (lambda p: spoilt(p, task="Push"), "Push, a task that its settings do not"),
+        (lambda p: spoilt(p, task="Push"), "Push, which the settings do not"),
         (lambda p: spoilt(p, preset="kitchen"), "Lift has no presets"),
         (lambda p: spoilt(p, task="Sequence", preset="kichen"), "no preset 'kichen'"),
         (lambda p: p | {"terms": p["terms"] | {"episodes": 0}}, "episodes must be a whole"),

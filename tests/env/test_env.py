@@ -155,7 +155,7 @@ def test_wrong_reset_options_are_explained(options, message) -> None:
 
 def test_a_scene_with_nothing_graspable_says_why() -> None:
     scene = toy_scene((toy_object("safe_1", (0.3, 0.3, 0.3), (0.0, 0.0), mass=20.0),))
-    with pytest.raises(SceneError, match=r"safe_1: its mass of 20 kg exceeds"):
+    with pytest.raises(SceneError, match=r"safe_1: the mass of 20 kg exceeds"):
         make_env(scene).reset(seed=0)
     with pytest.raises(SceneError, match="no objects"):
         make_env(toy_scene(())).reset(seed=0)

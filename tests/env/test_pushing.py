@@ -36,7 +36,7 @@ def test_what_holds_fast_to_the_table_topples() -> None:
 def test_a_ball_is_not_asked_for_and_the_reason_is_told() -> None:
     world = World(toy_scene((ball(0.03),)), Panda())
     world.reset()
-    assert slidable(world) == {"ball": "it would topple or roll"}
+    assert slidable(world) == {"ball": "the object would topple or roll"}
 
 
 @pytest.mark.parametrize("yaw", [0.0, 0.7])

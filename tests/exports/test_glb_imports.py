@@ -97,7 +97,7 @@ def test_too_many_nodes_are_told_before_any_is_read(tmp_path: Path) -> None:
         ({"extras": {"fixed": False, "mass": 10**400}}, "must be a number"),
         ({"extras": {"mass": 1, "inertia": [10**400] * 9, "fixed": False}}, "centre of mass and"),
         ({"translation": [10**400, 0, 0]}, "damaged"),
-        ({"scale": [0, 0, 0]}, "is not a rotation, scale and translation"),
+        ({"scale": [0, 0, 0]}, "must consist of a rotation, a scale and"),
         ({"mesh": 99}, "missing mesh"),
     ],
 )

@@ -66,7 +66,7 @@ def test_an_include_is_found_where_mujoco_finds_it(there: str, tmp_path: Path) -
         ("<include/>", "refers to the file ''"),
         ('<extension><plugin plugin="x"/></extension>', "plugins run code"),
         ('<asset><hfield file="x.png"/></asset>', "height fields"),
-        ('<asset><model file="x.xml"/></asset>', "attaches another"),
+        ('<asset><model file="x.xml"/></asset>', "attached models are not"),
         ('<custom><text name="a" data="b" file="/x"/></custom>', "refers to a file"),
     ],
 )

@@ -133,7 +133,7 @@ def respelt(path: Path, **changes) -> Path:
         ({"actions": 4}, r"not \(4, 16\)|not \(4,\)"),
         ({"network": {"layers": [4096] * 8}}, "invalid layer widths"),
         ({"network": {"layers": [16, 17], "width": 8}}, "is torch.float32"),
-        ({"network": {"layers": [16], "width": 8}}, "do not match its network"),
+        ({"network": {"layers": [16], "width": 8}}, "do not match the network"),
         ({"squash": "sigmoid"}, "unknown squash function 'sigmoid'"),
         ({"seed": "0"}, "type int"),
         ({"validation": {"solved": 9, "episodes": 4, "tables": 1, "scenes": "x"}}, "9 of 4"),

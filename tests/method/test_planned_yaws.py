@@ -13,7 +13,7 @@ from generator.scene import Model, Rotation
 
 YAW = 0.6
 NAME = "seen_laptop_1"
-UNTOLD = "the drawing does not determine it"
+UNTOLD = "which the drawing does not show"
 
 
 def drafted(turn: Turn | None = None, margin: float = 1.0) -> SceneDraft:

@@ -205,8 +205,8 @@ class CloudImager:
                 return TopView(image, np.array([0, 0, across, height], float), {})
             complaint = f"{_EARLIER}{' '.join(found)}"
         raise UnusableError(
-            f"{1 + REDRAWS} top views drawn by {self.model} could not be used. Problem of the "
-            f"last one: {_last(complaint)}"
+            f"{1 + REDRAWS} top views drawn by {self.model} could not be used. Problem with the "
+            f"last top view: {_last(complaint)}"
         )
 
     def _take(self, seed: int, take: int) -> str:

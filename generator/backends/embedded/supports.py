@@ -19,7 +19,7 @@ from ..protocols import Instances
 from .depth.measure import ObservedSolid, holds
 
 Supports = dict[str, tuple[str, bool]]
-"""The support of each object by name, and whether the object is inside it."""
+"""The support of each object by name, and whether the object is inside the support."""
 
 _HELD = 0.5  # minimum fraction of an object's footprint points above its support
 _FOOT = 0.2  # height of the foot, relative to the object's

@@ -10,7 +10,7 @@ from pathlib import Path
 from ...errors import BackendError
 
 FORMATS = (".glb", ".obj")
-"""Supported file formats; the first is preferred if an object has both."""
+"""Supported file formats; the first is preferred if an object has files in both formats."""
 
 _DEPTH = 4  # maximum folder depth
 _MOST = 20_000  # maximum number of files and folders

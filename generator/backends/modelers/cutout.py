@@ -24,7 +24,7 @@ def cutout(instance: Instance, backend: str) -> Cutout:
     """
     crop = instance.crop
     if not (crop[..., 3] > 127).any():
-        raise BackendError(f"{backend}, model of {instance.name!r}: its crop is fully transparent.")
+        raise BackendError(f"{backend}, model of {instance.name!r}: the crop is fully transparent.")
     x0, y0, x1, y1 = mask_box(crop[..., 3] > 0).astype(int)
     thing = np.where(crop[..., 3:] > 0, crop, 0).astype(np.uint8)[y0:y1, x0:x1]
     side = int(np.ceil(max(thing.shape[:2]) / _SHARE))

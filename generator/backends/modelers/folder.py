@@ -131,7 +131,7 @@ class Folder:
         times = float(own.max() / np.asarray(model.size).max())
         if not 1 / _ODD < times < _ODD:
             _LOG.warning(
-                "%s, read with the unit %s, has %.3g times its usual size. Check Folder.units.",
+                "%s, read with the unit %s, is %.3g times its usual size. Check Folder.units.",
                 what,
                 self.units,
                 times,

@@ -127,7 +127,7 @@ class Hunyuan3D:
         if answer.status_code != 200 or reply.get("status") != "healthy":
             raise BackendError(
                 f"hunyuan3d, health: {self._address()} returned status {answer.status_code}, "
-                f"{answer.content[:80]!r}. Check that it is Hunyuan3D-2.1's api_server.py."
+                f"{answer.content[:80]!r}. Check that this server is Hunyuan3D-2.1's api_server.py."
             )
         return str(reply.get("worker_id", ""))
 
@@ -157,17 +157,18 @@ class Hunyuan3D:
         if "error_code" in reply:
             hint = " (2.0 needs --enable_tex for textures)" if self.version == "2.0" else ""
             return (
-                f"the server failed ({status}, {str(reply.get('text', ''))[:200]!r}). Its own "
-                f"log states the reason, such as GPU memory or a missing texture model{hint}."
+                f"the server failed ({status}, {str(reply.get('text', ''))[:200]!r}). The server's "
+                "log states the reason, such as too little GPU memory or a missing texture "
+                f"model{hint}."
             )
         if status == 422:
             return (
                 f"the server rejected the request ({content[:300]!r}). The request used version "
-                f"{self.version}; set Hunyuan3D.version to the server's."
+                f"{self.version}; set Hunyuan3D.version to the server's version."
             )
         return (
-            f"{self._address()} returned status {status}, {content[:80]!r}. Check that it is "
-            f"Hunyuan3D's api_server.py, or set {ADDRESS} to the correct address."
+            f"{self._address()} returned status {status}, {content[:80]!r}. Check that this server "
+            f"is Hunyuan3D's api_server.py, or set {ADDRESS} to the correct address."
         )
 
 

@@ -60,7 +60,7 @@ class Sam3D(Installed):
         to = Normal(self.faces, self.texture)
         mask = instance.crop[..., 3] > 127
         if not mask.any():
-            raise BackendError(f"{what} its crop is fully transparent.")
+            raise BackendError(f"{what} the crop is fully transparent.")
         with self._turn, working(what):
             image = np.ascontiguousarray(instance.crop[..., :3])
             output = call(self._inference, "sam3d", image, mask, seed=self.seed)
@@ -110,7 +110,7 @@ def orientation(rotation: Any, view: View, what: str) -> Float[np.ndarray, "3 3"
     if not abs(float(np.linalg.norm(quaternion)) - 1) <= _UNIT:
         output = " ".join(str(rotation).split())[:80]
         logging.getLogger(__name__).warning(
-            "%s its rotation is not a unit quaternion (%s) and is ignored.", what, output
+            "%s the rotation is not a unit quaternion (%s) and is ignored.", what, output
         )
         return None
     to_camera = np.diag([-1.0, -1.0, 1.0]) @ quaternion_matrix(quaternion).T

@@ -141,8 +141,8 @@ def _target(url: httpx2.URL, location: str) -> httpx2.URL | Trouble:
     if origin != _origin(url):
         return Trouble(
             f"The server redirects to another server, {where[:_EXCERPT]}, which was not followed "
-            "because it would receive the key. If that server is correct, configure its "
-            "address.",
+            "because that server would receive the key. If the server is the intended one, "
+            "configure its address.",
             again=False,
         )
     if not bare:

@@ -29,7 +29,7 @@ class Deadline:
 
     def __init__(self) -> None:
         self.until: float | None = None
-        """The deadline, in seconds of ``time.monotonic``; None means that there is none."""
+        """The deadline, in seconds of ``time.monotonic``; None means no deadline."""
 
     def bring_forward(self, until: float) -> None:
         """Move the deadline to ``until``, unless it is already earlier."""

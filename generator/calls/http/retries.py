@@ -107,8 +107,8 @@ class Breaker:
             if left > 0:
                 raise BackendError(
                     f"{what}: not sent. {self._server} failed {self._failures} times in a row; "
-                    f"last failure: {self._reason} It is not contacted for another {left:.0f} "
-                    "s. Check that it is running, then try again."
+                    f"last failure: {self._reason} The server is not contacted for another "
+                    f"{left:.0f} s. Check that the server is running, then try again."
                 )
             # only one trial call; the others wait for its outcome
             self._closed_again = self._clock() + self._policy.rest

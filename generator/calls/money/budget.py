@@ -188,11 +188,11 @@ def _read(database: sqlite3.Connection, folder: Path) -> Spent:
             printable(text, "One of its names", StorageError, max_length=64)
         owned = all(isinstance(owner, str) for owner, _ in held)
         if not (owned and all(map(is_number, (money, *amounts))) and is_count(unpriced)):
-            raise StorageError("Its amounts must be non-negative numbers.")
+            raise StorageError("The amounts must be non-negative numbers.")
         if len(rows) > 1 or len(held) > _MAX_HELD:
             raise StorageError(
-                f"It has {len(rows)} budgets and {len(held)} calls in flight; at most 1 and "
-                f"{_MAX_HELD} are allowed."
+                f"The database has {len(rows)} budgets and {len(held)} calls in flight; at most 1 "
+                f"and {_MAX_HELD} are allowed."
             )
     except StorageError as error:
         raise damage_error(folder / FILE, str(error)) from error

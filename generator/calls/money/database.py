@@ -173,8 +173,8 @@ def _refuse_old(folder: Path) -> None:
 def damage_error(path: Path, why: str) -> StorageError:
     """Return the error for a database with invalid content, including the reason."""
     return StorageError(
-        f"{path} is not a valid spending database: {why} It was not changed. Restore it, choose "
-        "another folder, or remove it, which discards its record of spending."
+        f"{path} is not a valid spending database: {why} The file was not changed. Restore the "
+        "file, choose another folder, or remove the file, which discards its record of spending."
     )
 
 
@@ -189,7 +189,7 @@ def _owners_of(folder: Path) -> Path:
     owners = folder / _OWNERS
     if owners.is_symlink():
         raise StorageError(
-            f"{owners} is a link; the lock files must be in a real folder next to their database."
+            f"{owners} is a link; the lock files must be in a real folder next to the database."
         )
     return owners
 
@@ -214,7 +214,7 @@ def _transaction(path: Path) -> Iterator[sqlite3.Connection]:
         database.execute("BEGIN IMMEDIATE")
         tables = [sql for (sql,) in database.execute("SELECT sql FROM sqlite_master LIMIT 9")]
         if sorted(map(str, tables)) != sorted(TABLES):
-            raise damage_error(path, f"It has unexpected tables: {tables!r:.200}.")
+            raise damage_error(path, f"The file has unexpected tables: {tables!r:.200}.")
         yield database
 
 
@@ -223,7 +223,7 @@ def _check_file(path: Path) -> None:
     if not stat.S_ISREG(status.st_mode):
         raise StorageError(f"{path} is not a regular file. Choose another folder.")
     if status.st_size > _MAX_BYTES:
-        raise damage_error(path, f"It has {status.st_size} bytes; the limit is {_MAX_BYTES}.")
+        raise damage_error(path, f"The file has {status.st_size} bytes; the limit is {_MAX_BYTES}.")
 
 
 def _check_journal(path: Path) -> None:

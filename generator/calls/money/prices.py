@@ -107,7 +107,8 @@ class Prices:
 def unknown_price(what: str, budget: float, name: str = "MODEL") -> BudgetError:
     """Return the error for a call to ``name``, a model or "@host", with an unknown price."""
     return BudgetError(
-        f"{what}: its price is unknown, so the budget of {budget:g} cannot be enforced. Copy "
+        f"{what}: the price of the call is unknown, so the budget of {budget:g} cannot be "
+        "enforced. Copy "
         f'the price table {_SHIPPED}, add [models."{name}"] with "input" and "output" '
         '(per million tokens), "image" or "call", and pass the copy with --prices FILE '
         "(Prices.load in Python); or remove the budget."

@@ -99,11 +99,12 @@ class _Beside:
             path, inside, there = home, False, False
         if not inside:
             raise BackendError(
-                f"{self.what} refers to a file outside its folder, {name[:80]!r}. Move it next to "
-                "the OBJ file."
+                f"{self.what} refers to a file outside its folder, {name[:80]!r}. Move the file "
+                "next to the OBJ file."
             )
         if not there:
             raise BackendError(
-                f"{self.what} refers to {name[:80]!r}, which is not in its folder. Add it there."
+                f"{self.what} refers to {name[:80]!r}, which is not in its folder. Add the file to "
+                "that folder."
             )
         return path

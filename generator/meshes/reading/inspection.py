@@ -116,9 +116,7 @@ def check_lines(text: bytes, what: str) -> None:
         BackendError: a line is too long.
     """
     if _LONG_LINE.search(text):
-        raise BackendError(
-            f"{what} has a line of more than {bounds.MOST_LINE} bytes, which is the limit."
-        )
+        raise BackendError(f"{what} has a line that exceeds the limit of {bounds.MOST_LINE} bytes.")
 
 
 def check_pictures(
@@ -217,9 +215,13 @@ def _faces(header: Header, maximum: int) -> str | None:
     if not 0 < faces <= maximum:
         return f"has {faces} triangles; 1 to {maximum} are allowed."
     if vertices > 3 * maximum:
-        return f"has {vertices} vertices; at most {3 * maximum} are allowed. Remove unused ones."
+        return (
+            f"has {vertices} vertices; at most {3 * maximum} are allowed. Remove unused vertices."
+        )
     if parts > bounds.MOST_PARTS:
-        return f"has {parts} primitives; at most {bounds.MOST_PARTS} are allowed. Merge some."
+        return (
+            f"has {parts} primitives; at most {bounds.MOST_PARTS} are allowed. Merge some of them."
+        )
     return None
 
 

@@ -61,7 +61,7 @@ class Pictures:
             if self._room < 0:
                 raise BackendError(
                     f"{self._what} uses its textures with too many colour factors. Bake the "
-                    "factors into the textures, or use fewer."
+                    "factors into the textures, or use fewer factors."
                 )
             self._places[at] = len(self.kept)
             self.kept.append(plain if (tint == 1).all() else _tint(plain, tint))

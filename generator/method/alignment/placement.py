@@ -68,7 +68,9 @@ def complete_boxes(
     for row, column in zip(map(int, rows), map(int, columns), strict=True):
         boxes[missing[row].name] = things[column].box
     extra = len(things) - len(columns)
-    message = f"The top view shows {extra} in addition to the picture's objects; they are ignored."
+    message = (
+        f"The top view shows {extra} more objects than the picture; these objects are ignored."
+    )
     return replace(top, table_box=table, boxes=boxes), (message,) if extra > 0 else ()
 
 

@@ -96,8 +96,8 @@ def check_top_view(
         lost = name not in boxes
         if lost or not (only_missing or below is None or _over(boxes[name], below)):
             boxes[name] = _put([placed.get(name), boxes.get(name), guesses[name]], below)
-            shown = "does not show it" if lost else "shows it elsewhere"
-            placed_on = f"it is on {on[name]}, but the top view {shown}; it was moved there"
+            shown = "does not show the object" if lost else "shows the object elsewhere"
+            placed_on = f"the object is on {on[name]}, but the top view {shown}; it was moved there"
             remarks[name] = _LACKS if below is None else placed_on
     warnings += tuple(f"{name}: {what}." for name, what in remarks.items() if what)
     repaired = tuple(dict.fromkeys((*top.repaired, *remarks)))

@@ -25,7 +25,8 @@ REAL = 2.0, 1.5
 """Like ``ALIKE``, for a drawing that shows arbitrary objects of the planned kinds."""
 
 UNKNOWN = 2.0
-"""Like ``ALIKE``, for objects that are not in the catalogue, whose sizes and shapes are guesses."""
+"""Like ``ALIKE``, for objects whose sizes and shapes are guesses because the catalogue lacks
+them."""
 
 TABLES = 1.3
 """Maximum ratio between corresponding sides of the drawn and the planned table."""
@@ -38,9 +39,9 @@ _SLACK = 0.008, 0.1  # tolerated difference between sides: metres, and fraction 
 LOOSE = ("group", "heap")
 """Kinds of groups without a fixed arrangement."""
 
-_SHAPE = "its outline in the drawing has different proportions"
-_FITTED = "it must fit another object"
-_ALIKE = "it must match the other place settings"
+_SHAPE = "the object's outline in the drawing does not have the planned proportions"
+_FITTED = "the object must fit another object"
+_ALIKE = "the object must match the other place settings"
 
 
 @dataclass(frozen=True, eq=False)
@@ -158,7 +159,7 @@ def draft_scene(
 
 def _plan_warning(name: str, reason: str, told: bool) -> str:
     """Return a warning that an object's shape and, unless ``told``, its yaw come from the plan."""
-    tail = "" if told else " Its yaw is also the plan's, since the drawing does not determine it."
+    tail = "" if told else " The plan also determines the yaw, which the drawing does not show."
     return f"{name} is built from the plan: {reason}.{tail}"
 
 

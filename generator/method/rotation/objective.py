@@ -224,7 +224,7 @@ def make_objectives(
     device, count = torch.device(config.device), torch.cuda.device_count()
     if device.type == "cuda" and (device.index or 0) >= count:
         raise InputError(
-            f"RotationConfig.device is {config.device!r}, but torch reports {count} such GPUs. Use "
+            f"RotationConfig.device is {config.device!r}, but torch finds {count} CUDA GPUs. Use "
             "'cpu', or install torch with CUDA."
         )
 

@@ -88,7 +88,9 @@ def read_mark(result: Path, digest: str) -> ReplayMark | None:
             raise ValueError("the file was edited or truncated")
         numbers = tuple(check_type(k, int) for k in check_type(payload["episodes"], list))
         if not numbers or len({*numbers}) < len(numbers) or not _within(numbers):
-            raise ValueError("its episodes must be distinct indices of the result's episodes")
+            raise ValueError(
+                "the replayed episodes must be distinct indices of the result's episodes"
+            )
         versions = {
             printable(k, "A package", InputError): printable(v, "A version", InputError)
             for k, v in check_type(payload["versions"], dict).items()

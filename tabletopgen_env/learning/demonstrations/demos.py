@@ -32,14 +32,13 @@ from ...world.worlds import WorldCache
 COLUMNS = ("angle", "x", "y", "z", "opening", "width", "score")
 """Columns of a grasp. "angle" is the bearing, in radians, of the direction in which the fingers
 open. "x", "y" and "z" are the tool's position in the target's heading frame, in metres from the
-centre of the target's box (z from its lowest point). The others are as in ``Grasp``.
-"""
+centre of the target's box (z from its lowest point). The other columns are as in ``Grasp``."""
 
 CHUNK = 100
 """Number of tables per file of demonstrations."""
 
 MOST = 200
-"""The maximum number of grasps per object; the best ones are kept."""
+"""The maximum number of grasps per object; the best grasps are kept."""
 
 _MAX_BYTES = 512 * 2**20  # per file
 

@@ -114,7 +114,7 @@ def read_buffer(buffer: ReplayBuffer, path: Path) -> None:
         position, full, size = (int(v) for v in file["position"])
         held = size if full else position
         if size != buffer.buffer_size or not 0 <= position <= size:
-            raise ValueError(f"it contains a buffer of size {size}, not {buffer.buffer_size}")
+            raise ValueError(f"the file contains a buffer of size {size}, not {buffer.buffer_size}")
         for name, array in own.items():
             array[:held] = _like(file[name], array[:held])
         buffer.pos, buffer.full = position, bool(full)
@@ -126,8 +126,8 @@ def read_buffer(buffer: ReplayBuffer, path: Path) -> None:
         _end_episodes(buffer)
     except (ValueError, KeyError, TypeError, IndexError, OverflowError) as error:
         raise InputError(
-            f"{path} is not a valid replay buffer of this run ({error}). Delete it to continue "
-            "without it."
+            f"{path} is not a valid replay buffer of this run ({error}). Delete the file to "
+            "continue without the buffer."
         ) from error
 
 

@@ -133,7 +133,7 @@ class RoundsFolder:
             if rows.pop("observations") != steps + len(lengths) or set(rows.values()) != {steps}:
                 raise ValueError("array lengths differ")
             if len(kept["solved"]) != len(lengths) or kept["drawn"].shape != ():
-                raise ValueError("the outcomes of its episodes are missing")
+                raise ValueError("the outcomes of the episodes are missing")
             return kept
         except (InputError, ValueError, KeyError, TypeError) as error:
             raise BundleError(

@@ -34,11 +34,11 @@ from ...observations.height_map import CELL, CELLS, STEP
 from ...parallel.core.arrays import wrap
 
 PLAN = ("x", "y", "z", "angle", "opening", "width")
-"""Entries of a grasp as a policy represents it, in metres and radians. The tool's position
-is in the target's heading frame, relative to the centre of the target's box (x, y) and the box's
-lowest corner (z). "angle" is the bearing of the hand's x axis in that frame, minus a quarter turn.
-"opening" is the opening of the fingers; "width" is that of the fingers closed on the target.
-"""
+"""Entries of a grasp as a policy represents it, in metres and radians. The tool's position is in
+the target's heading frame, relative to the centre of the target's box (x, y) and the box's lowest
+corner (z). "angle" is the bearing of the hand's x axis in that frame, minus a quarter turn.
+"opening" is the opening of the fingers; "width" is the opening of the fingers when they are closed
+on the target."""
 
 STANDS = 4
 """Number of the head's inputs besides the maps, all in metres: the position of the robot's base

@@ -62,7 +62,7 @@ class RslRlWorlds:
     @episode_length_buf.setter
     def episode_length_buf(self, lengths: Tensor) -> None:
         raise InputError(
-            "The step counter is read-only; pass init_at_random_ep_len=False to learn."
+            "The step counter is read-only; call learn() with init_at_random_ep_len=False."
         )
 
     def get_observations(self) -> Any:

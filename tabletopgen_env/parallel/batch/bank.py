@@ -146,7 +146,7 @@ def _read(
     for k, world in enumerate(worlds):
         name, count = world.scene.name, len(world.names)
         if count > most_objects:
-            reason = f"it has {count} objects, but max_objects is {most_objects}"
+            reason = f"the scene has {count} objects, but max_objects is {most_objects}"
             left_out.append(LeftOut(k, name, reason))
             continue
         try:
@@ -160,7 +160,7 @@ def _read(
 
 def _unfit(contents: dict[int, SceneContent], placed: list[_Placed]) -> list[LeftOut]:
     """Return the scenes that do not fit the given shape, each with the reason."""
-    reason = "it has more objects or collision parts than the given shape has room for"
+    reason = "the scene has more objects or collision parts than the given shape has room for"
     unfit = contents.keys() - {scene.source for scene in placed}
     return [LeftOut(k, contents[k].name, reason) for k in unfit]
 

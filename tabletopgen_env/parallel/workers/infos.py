@@ -16,7 +16,7 @@ from gymnasium.vector import VectorEnv
 from jaxtyping import Float
 
 NUMBERS = 64
-"""Maximum number of values per slot in the array; further values are sent with each step."""
+"""Maximum number of values per slot in the shared array; further values are sent with each step."""
 
 _KINDS: Mapping[type, type] = {float: float, np.float64: float, int: int, bool: bool}
 _FIXED = (str, bytes, type(None), np.generic, *_KINDS)  # types with immutable values

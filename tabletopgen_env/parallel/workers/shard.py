@@ -26,7 +26,7 @@ from .scene_server import AskedScenes, Wish
 from .slots import Job, SlotSet, attempt
 
 STEP, DONE = b"s", b"."
-"""The step request, and the reply when all results are in the shared arrays."""
+"""Message that requests a step, and that replies that all results are in the shared arrays."""
 
 
 @dataclass(frozen=True)

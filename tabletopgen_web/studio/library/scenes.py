@@ -98,7 +98,9 @@ class SceneLibrary:
         """
         path, place = self.find(scene)
         if place != "workspace":
-            raise RefusedError(409, f"{scene} is not in the workspace; it is already saved.")
+            raise RefusedError(
+                409, f"{scene} is already saved; only scenes in the workspace can be saved."
+            )
         load_verified(path)
         return replace(self._read_row(copy(path, assets_cache.user_root()), "store"), saved=True)
 
@@ -137,7 +139,7 @@ class SceneLibrary:
             steps = _list_steps(facts, scene, {name[-12:]: name for name in known})
         except (TypeError, LookupError, AttributeError) as error:
             raise BundleError(
-                f"{scene}: its history is damaged. Create the scene again."
+                f"The history of {scene} is damaged. Create the scene again."
             ) from error
         children = [row.id for row in self.list_rows() if row.parent and row.parent[-12:]
                     == scene[-12:]]  # fmt: skip

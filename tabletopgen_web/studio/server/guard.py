@@ -189,9 +189,11 @@ class StudioGuard:
         if len(given) != 1 or not self._access.knows(given[0], study):
             if study is not None:
                 return _show("This address is incomplete or no longer valid. Ask the sender for a "
-                "new one.", _STUDY_TITLE)  # fmt: skip
-            return _show("This token does not belong to this studio. Each start creates a new one: "
-            "open the address printed last.")  # fmt: skip
+                "new address.", _STUDY_TITLE)  # fmt: skip
+            return _show(
+                "This token does not belong to this studio. Each start of the studio creates a new "
+                "token: open the address printed last."
+            )
         if study is None:
             answer = RedirectResponse("/", status_code=303)
             name, token, site = self._access.cookie, self._access.token, "strict"

@@ -98,7 +98,7 @@ def test_weights_other_than_the_pinned_ones_are_removed(
     hub: Hub, model: Pin, tmp_path: Path
 ) -> None:
     hub.files[WEIGHTS] = hub.files[WEIGHTS][:-1] + b"\x01"
-    with pytest.raises(BackendError, match=f"SHA-256 .*, not {model.sha256}; it was removed"):
+    with pytest.raises(BackendError, match=f"SHA-256 .*, not {model.sha256}; the file was removed"):
         pull(model, tmp_path)
     assert missing(model, tmp_path) == (WEIGHTS,)
     assert not [

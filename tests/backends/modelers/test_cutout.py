@@ -31,5 +31,5 @@ def test_grey_shows_where_nothing_is():
 
 def test_an_empty_crop_is_refused():
     crop = np.zeros((9, 9, 4), np.uint8)
-    with pytest.raises(BackendError, match="it, model of 'mug_1': its crop is fully transparent"):
+    with pytest.raises(BackendError, match="it, model of 'mug_1': the crop is fully transparent"):
         cutout(dataclasses.replace(instance("mug"), crop=crop), "it")

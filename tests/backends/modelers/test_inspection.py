@@ -352,7 +352,7 @@ def test_a_texture_in_a_rare_format_is_refused():
         (b"v 0 0 0\n" * 3 + b"usemtl a\nf 1 2 3\nusemtl b\nf 1 2 3\n" * 10_000, "20000 times"),
         (b"v 0 0 0\n" * 3 + b"use\\\nmtl a\nf 1 2 3\n" * 3000, "3000 times"),
         (b"v 0 0 0\n" * 3 + b"o a\ng b\nf 1 2 3\n" * 1500, "3000 times"),
-        (b"v 0 0 0\nf 1 1 1\n#" + b"x" * 70_000, "a line of more than 65536 bytes"),
+        (b"v 0 0 0\nf 1 1 1\n#" + b"x" * 70_000, "a line that exceeds the limit of 65536 bytes"),
         (b"v 0 0 0\nf 1 1 1\n" + b"vn 0 0 1\n" * 301, "301 lines 'vn'; at most 300"),
         (b"v 0 0 0\nf" + b" 1" * 103, "has 101 triangles; 1 to 100"),
     ],

@@ -306,7 +306,7 @@ def test_a_pose_of_sam3d_that_is_none_is_dropped_with_a_warning(tmp_path, caplog
     made = ask(checkout(tmp_path, wrong))
     assert made.orientation is None and made.size[2] > 0.1
     (record,) = caplog.records
-    assert "model of 'mug_1': its rotation is not a unit quaternion" in record.getMessage()
+    assert "model of 'mug_1': the rotation is not a unit quaternion" in record.getMessage()
 
 
 def test_no_pose_of_sam3d_is_no_fault(tmp_path, caplog):

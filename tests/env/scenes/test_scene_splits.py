@@ -308,8 +308,8 @@ def test_scenes_are_looked_at_once_and_a_copy_looks_for_itself() -> None:
         ("train", {"by": "colour"}, "Unknown Split.by 'colour'. Available: category, digest"),
         ("train", {"share": 0.0}, r"in \(0, 1\), got 0"),
         ("train", {"share": 20}, r"in \(0, 1\), got 20"),
-        ("train", {"by": "category"}, "if, and only if"),
-        ("train", {"categories": ("mug",)}, "if, and only if, by is 'category'"),
+        ("train", {"by": "category"}, "if and only if"),
+        ("train", {"categories": ("mug",)}, "if and only if Split.by is 'category'"),
         ("train", {"by": "category", "categories": ("mugg",)}, "Unknown category 'mugg'.*'mug'"),
         (
             "held_out",

@@ -43,12 +43,11 @@ _SEEDREAM = {"response_format": "b64_json", "watermark": False,
 """Request options for Seedream other than text and size."""
 
 _FAITHFUL = re.compile(r"gpt-image-([2-9]|1-mini)")
-"""Models that reject ``input_fidelity``; from version 2 on, the fidelity is always high (checked
-on 2026-11-28).
-"""
+"""Models that reject ``input_fidelity``: in GPT Image 2 and newer versions, the fidelity is always
+high (checked on 2026-11-28)."""
 
 _OPAQUE = re.compile(r"gpt-image-[2-9]")
-"""Models that reject ``background``: from version 2 on, they cannot draw transparency."""
+"""Models that reject ``background``: GPT Image 2 and newer versions cannot draw transparency."""
 
 _LONG = 2048  # pixels of the longer side, for servers that accept any size
 _BLOCKED = re.compile(

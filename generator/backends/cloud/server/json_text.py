@@ -48,7 +48,7 @@ def read_object(text: str) -> dict[str, Any]:
             found = _object(attempt)
             if found is not None:
                 return found
-    raise Wrong("it contains no valid JSON object.")
+    raise Wrong("the answer contains no valid JSON object.")
 
 
 def is_refusal(text: str) -> bool:

@@ -120,7 +120,7 @@ class Chat:
                 ]
             raise self.server.unusable(
                 question,
-                f"{1 + REASKS} answers could not be used. Problem of the last one: {problem} "
+                f"{1 + REASKS} answers could not be used. Problem with the last answer: {problem} "
                 "Try another model or seed.",
             )
 
@@ -208,8 +208,8 @@ class Chat:
         if end == "length":
             raise self.server.unusable(
                 question,
-                f"the answer was truncated at a token limit: the server's own, or {ANSWER}, the "
-                "limit for an answer. Use another model.",
+                "the answer was truncated at the server's token limit, or at this package's limit "
+                f"of {ANSWER} tokens. Use another model.",
             )
         said = str(content)
         if len(said) > _LONGEST:

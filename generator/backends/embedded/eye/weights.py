@@ -57,7 +57,7 @@ def load_weights(path: Path = PATH) -> Weights:
     try:
         categories, temperature = _categories(notes["categories"]), float(notes["temperature"])
         if not 0 < temperature < math.inf:
-            raise ValueError(f"its temperature must be positive and finite, got {temperature}")
+            raise ValueError(f"the temperature must be positive and finite, got {temperature}")
         eye = Eye(len(categories) + 1)
         _fill(eye, state)
         eye.to(memory_format=torch.channels_last)  # pyright: ignore[reportCallIssue]
@@ -117,9 +117,9 @@ def _read(path: Path, restore: str) -> tuple[dict[str, torch.Tensor], dict[str, 
 
 def _categories(text: str) -> tuple[str, ...]:
     """Return the detector's category names, read from the metadata of its weights."""
-    names = parse_json(text, "its list of categories", BackendError, max_bytes=_MOST_NOTE)
+    names = parse_json(text, "the list of categories", BackendError, max_bytes=_MOST_NOTE)
     if not isinstance(names, list):
-        raise ValueError("its categories must be a list")
+        raise ValueError("the categories must be a list")
     return tuple(printable(name, "a category", BackendError) for name in names)
 
 

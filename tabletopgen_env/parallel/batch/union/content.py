@@ -28,7 +28,8 @@ if TYPE_CHECKING:
     import mujoco
 
 GeomKind = tuple[int, int]
-"""Type (``mjtGeom``) and contact dimension of a geom; batched fields cannot change these."""
+"""Type (``mjtGeom``) and contact dimension of a geom; batched fields cannot change the type or the
+dimension."""
 
 GEOM_FIELDS = (
     "geom_size", "geom_aabb", "geom_rbound", "geom_pos", "geom_quat", "geom_friction",

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     import mujoco
 
 LOOKING = (FRONT_CAMERA, TOP_CAMERA, SIDE_CAMERA, WRIST_CAMERA)
-"""Names of the cameras in the model; the last one is on the hand."""
+"""Names of the cameras in the model; the last camera is on the hand."""
 
 _DRAWN_GROUPS = (0, 1, 2)
 

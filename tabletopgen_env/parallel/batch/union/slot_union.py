@@ -90,8 +90,8 @@ class SlotUnion:
         """
         if not np.array_equal(content.robot, self._robot):
             raise InputError(
-                f"The world of {content.name!r} has a different robot than the bank: compile it "
-                "with the same Panda, and do not modify its model."
+                f"The world of {content.name!r} has a different robot than the bank: compile the "
+                "world with the bank's Panda, and do not modify the Panda's model."
             )
         row = {field: array.copy() for field, array in self._empty.items()}
         row["geom_xpos"][self._floor, 2] = content.floor - FLOOR_HALF[2]
