@@ -15,7 +15,6 @@ import shutil
 import signal
 import sys
 import threading
-import time
 from pathlib import Path
 from typing import BinaryIO
 
@@ -74,8 +73,7 @@ def _listen(given: BinaryIO, tasks: _Tasks, busy: threading.Event, folder: Path 
         while True:
             tasks.put(pickle.load(given))
     tasks.put(None)
-    if not busy.is_set():
-        time.sleep(_EXIT_TIME)
+    busy.wait(_EXIT_TIME)  # whoever sent the tasks has gone: none needs to be begun any more
     _remove(folder)
     with contextlib.suppress(OSError):
         os.killpg(os.getpid(), signal.SIGKILL)

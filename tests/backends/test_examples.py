@@ -4,6 +4,7 @@ from collections.abc import Mapping
 
 import numpy as np
 import pytest
+from extent import count, part_of
 
 from generator.backends.embedded import painter
 from generator.backends.embedded.examples import compare_sizes, rate_words
@@ -36,7 +37,7 @@ def wrong_names(image: np.ndarray, masks: Mapping[str, np.ndarray]) -> list[tupl
     return wrong
 
 
-@pytest.mark.parametrize("seed", [0, 2])
+@pytest.mark.parametrize("seed", part_of([0, 2], 2))
 def test_a_bowl_of_cereal_is_no_napkin(seed: int) -> None:
     text = (
         "A breakfast table with a bowl of cereal, a glass of orange juice to the right of the "
@@ -54,9 +55,9 @@ def test_few_things_change_names() -> None:
         "A violin, a metronome, binoculars and a telescope on a desk.",
         "A cactus, a shoe, a toothbrush and a soap bar on a table.",
         "A vise, an axe, a paint roller and a hand plane on a workbench.",
-    )
+    )[: count(4, 2)]
     wrong = [w for text in texts for w in wrong_names(*draw_with_truth(text, 1))]
-    assert len(wrong) <= 2, wrong
+    assert len(wrong) <= len(texts) // 2, wrong
 
 
 def test_words_outside_the_catalogue_are_as_likely_as_the_unknown() -> None:

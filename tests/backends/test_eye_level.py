@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import itertools
+
 import numpy as np
 import pytest
+from extent import part_of
 
 from generator.backends.embedded.eye.judge import EyeDetection
 from generator.backends.embedded.eye.network import REGIONS
@@ -48,8 +51,9 @@ def test_other_views_are_left_to_the_eye(sight: EyeReading, elevation: float) ->
     assert not is_from_eye_level(sight, sight.top > 0.5, elevation)
 
 
-@pytest.mark.parametrize("fov", [25, 40])
-@pytest.mark.parametrize("margin", [0, 30])
+@pytest.mark.parametrize(
+    ("fov", "margin"), part_of(itertools.product([25, 40], [0, 30]), (25, 30), (40, 0))
+)
 def test_the_view_is_that_of_a_table_of_usual_depth(fov: float, margin: int) -> None:
     top = reading(band=14).top > 0.5
     top[:, :margin] = top[:, SIDE - margin :] = False

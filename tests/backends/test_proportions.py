@@ -63,7 +63,7 @@ def test_proportions_are_learned_with_their_errors() -> None:
         ProportionLesson(*(part[half] for part in vars(lesson).values()))
         for half in (slice(0, 1200), slice(1200, None))
     )
-    network = train_proportions(taught, 0, steps=600)
+    network = train_proportions(taught, 0, steps=300)
     off, spread = errors(network, asked)
     guess = np.abs(asked.logs - taught.logs.mean(0)).mean()
     assert off.mean() < 0.6 * guess

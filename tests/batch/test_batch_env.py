@@ -6,6 +6,7 @@ from typing import Any
 import numpy as np
 import pytest
 import torch
+from extent import count
 from gymnasium.vector import AutoresetMode
 from gymnasium.wrappers.vector import RecordEpisodeStatistics
 from gymnasium.wrappers.vector.array_conversion import ArrayConversion
@@ -47,13 +48,13 @@ def in_turn(env: TabletopBatchEnv) -> tuple[Any, dict[str, Any]]:
     return env.reset(seed=0, options={"episodes": range(env.num_envs)})
 
 
-def play(env: TabletopBatchEnv, steps: int) -> list[dict[str, Any]]:
-    """Play every episode of a batch alone with the expert; return observations and actions."""
+def play(env: TabletopBatchEnv, rows: list[int], steps: int) -> list[dict[str, Any]]:
+    """Play episodes of a batch alone with the expert; return observations and actions."""
     played = []
     single = make_env(SCENES, task=env.task, randomization="starts")
-    for row, seed in enumerate(env.episodes.seeds):
+    for row in rows:
         name = env.bank.scenes[int(env.episodes.scene[row])]
-        seen, info = single.reset(seed=seed, options={"scene": name})
+        seen, info = single.reset(seed=env.episodes.seeds[row], options={"scene": name})
         assert single.world.scene.name == name
         kept: dict[str, list[Any]] = {"seen": [seen], "actions": [], "rewards": [], "success": []}
         expert = TaskExpert(single)
@@ -72,18 +73,22 @@ def play(env: TabletopBatchEnv, steps: int) -> list[dict[str, Any]]:
 
 
 def test_the_experts_episodes_go_as_in_the_single_environment(lift: TabletopBatchEnv) -> None:
+    """One episode at each table; in the other worlds the robot stands still."""
     steps = 75
-    played = play(lift, steps)
+    rows = list(range(lift.num_envs))[:: count(1, EACH)]
+    assert len({int(lift.episodes.scene[row]) for row in rows}) == len(SCENES)
+    played = play(lift, rows, steps)
     seen, _ = in_turn(lift)
     first = np.array([p["seen"][0] for p in played])
-    np.testing.assert_allclose(seen.numpy(), first, atol=2e-3)
+    np.testing.assert_allclose(seen.numpy()[rows], first, atol=2e-3)
     found: dict[str, list[np.ndarray]] = {"seen": [], "rewards": [], "success": []}
     for k in range(steps):
-        actions = torch.tensor(np.array([p["actions"][k] for p in played]))
+        actions = torch.zeros(lift.num_envs, 5)
+        actions[rows] = torch.tensor(np.array([p["actions"][k] for p in played]))
         seen, rewards, terminated, truncated, infos = lift.step(actions)
         assert not (terminated.any() or truncated.any() or infos["failed"].any())
         for key, value in (("seen", seen), ("rewards", rewards), ("success", infos["success"])):
-            found[key].append(value.numpy().copy())
+            found[key].append(value.numpy()[rows])
     wanted = {key: np.array([p[key] for p in played]) for key in found}
     got = {key: np.array(values).swapaxes(0, 1) for key, values in found.items()}
     assert wanted["success"].any(1).all(), "the expert lifts all of them"
@@ -91,8 +96,8 @@ def test_the_experts_episodes_go_as_in_the_single_environment(lift: TabletopBatc
     assert np.median(np.abs(got["rewards"] - wanted["rewards"])) < 1e-4
     robot = np.abs(got["seen"][:, :, :31] - wanted["seen"][:, 1:, :31])
     assert np.median(robot) < 1e-5 and np.quantile(robot, 0.99) < 0.02
-    slots = lift.episodes.goals.target[:, 0]
-    ends = lift.world.state.slot_pos[torch.arange(len(slots)), slots].numpy()
+    slots = lift.episodes.goals.target[rows, 0]
+    ends = lift.world.state.slot_pos[rows, slots].numpy()
     off = np.linalg.norm(ends - np.array([p["target"] for p in played]), axis=1)
     assert np.median(off) < 1e-4, f"{1000 * off} mm"
 

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 import pytest
 import torch
+from extent import EXHAUSTIVE, part_of
 from jaxtyping import Float
 from tables import COMPILING, awake, need_warp, shipped, turn
 from worlds import begun
@@ -20,7 +21,10 @@ from tabletopgen_env.world.world import World
 need_warp()
 
 SUBSTEPS = 25
-LIFTED = ("vanity", "office-desk", "workbench", "coffee-square", "tidy-task-3")
+EVERY_LIFTED = ("vanity", "office-desk", "workbench", "coffee-square", "tidy-task-3")
+LIFTED = part_of(EVERY_LIFTED, "vanity", "workbench", "tidy-task-3")
+SOME = ("vanity", "coffee-oval", "workbench", "kitchen-cutting", "tidy-task-3", "dining-two")
+TOO_LARGE = {"dining-family", "dining-two"}
 HIGH = 0.05  # metres up: it is in the hand
 
 pytestmark = [
@@ -32,8 +36,10 @@ pytestmark = [
 
 def test_all_shipped_tables_rest_as_in_mujoco() -> None:
     """For 1 s: positions within 0.05 mm, rotations within 0.1 degrees; empty slots to the bit."""
-    bank = SceneBank(shipped(), max_parts=None)
-    assert {s.name for s in bank.left_out} == {"dining-family", "dining-two"} and len(bank) == 21
+    tables = shipped(*(() if EXHAUSTIVE else SOME))
+    bank = SceneBank(tables, max_parts=None)
+    assert {s.name for s in bank.left_out} == {w.scene.name for w in tables} & TOO_LARGE
+    assert len(bank) == (21 if EXHAUSTIVE else len(SOME) - 1)
     batch = BatchWorld(bank, len(bank), device="cpu")
     state = batch.state
     parked = state.slot_qpos[~state.filled].clone()
@@ -42,7 +48,7 @@ def test_all_shipped_tables_rest_as_in_mujoco() -> None:
         assert not batch.step(ctrl, SUBSTEPS).any()
     assert torch.equal(state.slot_qpos[~state.filled], parked)
     for k, source in enumerate(bank.sources):
-        world = awake(shipped()[source])
+        world = awake(tables[source])
         world.step(500)
         for name in world.names:
             slot, thing = bank.slot(k, name), (world.scene.name, name)
@@ -79,7 +85,7 @@ def test_what_the_expert_lifts_is_lifted_open_loop() -> None:
     worlds = [cap_world(world, MOST_PARTS, Panda()) for world in shipped(*LIFTED)]
     seeded = (record(world, seed) for world in worlds for seed in range(2))
     takes = [take for take in seeded if take]
-    assert len(takes) >= 5
+    assert len(takes) >= len(LIFTED)
     bank = SceneBank([take.world for take in takes])
     batch, longest = BatchWorld(bank, len(takes), device="cpu"), max(len(t.ctrl) for t in takes)
     still = [np.concatenate([t.ctrl, t.ctrl[-1:].repeat(longest - len(t.ctrl), 0)]) for t in takes]

@@ -22,7 +22,7 @@ from tabletopgen_env.robot.chain import chain_at
 from tabletopgen_env.robot.kinematics import LOWER, UPPER, forward, ik_step, rotation_vector
 
 OBJECTS = 12
-SEEDS, STEPS = 2, 200
+SEEDS, STEPS = 2, 120
 
 
 @dataclass

@@ -34,6 +34,8 @@ def test_each_egg_is_in_its_place() -> None:
     scene = compose("a dozen eggs in an egg carton", 0)
     eggs = [o for o in scene.objects if o.model.category == "egg"]
     assert len(eggs) == 12 and {o.placement.on for o in eggs} == {"egg_carton_1"}
+    assert scene.report is not None and scene.report.passed
+    assert all(o.holds for o in scene.report.relations)
 
 
 @pytest.mark.slow

@@ -4,12 +4,14 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
+import gymnasium as gym
 import pytest
 import torch
 from toy import toy_object, toy_scene
 
 from generator.bundle import save
 from generator.physics.gate import judge
+from tabletopgen_env.learning import training
 from tabletopgen_env.learning.recipes import Recipe, recipe_of
 
 SMALL: dict[str, dict[str, Any]] = {
@@ -60,6 +62,15 @@ def small(table: str, other: str):
         })  # fmt: skip
 
     return make
+
+
+@pytest.fixture
+def brief(monkeypatch: pytest.MonkeyPatch) -> None:
+    """End the episodes of evaluations and demonstrations after some steps, solved or not."""
+    whole = training.single_env
+    monkeypatch.setattr(
+        training, "single_env", lambda *a, **k: gym.wrappers.TimeLimit(whole(*a, **k), 12)
+    )
 
 
 @pytest.fixture

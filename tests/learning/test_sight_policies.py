@@ -196,6 +196,7 @@ def test_a_grasp_is_remembered_until_the_target_moves() -> None:
 
 
 @pytest.mark.slow
+@pytest.mark.usefixtures("brief")
 def test_policies_hand_on_what_they_remember(tmp_path) -> None:
     own = replace(recipe("lift-sight"), scenes="coffee-square", held_out="office-desk",
                   cloning={**CLONING, "rounds": 1},
@@ -229,6 +230,7 @@ def test_what_it_needs_is_said() -> None:
 
 
 @pytest.mark.slow
+@pytest.mark.usefixtures("brief")
 @pytest.mark.parametrize("name", ["lift-sight", "reach-sight"])
 def test_the_recipes_train_and_their_files_act(name: str, tmp_path) -> None:
     own = recipe(name)

@@ -27,6 +27,10 @@ def test_a_shipped_policy_does_its_task_at_tables_it_never_saw(name: str) -> Non
     policy = load_policy(SHIPPED[name])
     assert "starter" not in str(policy.card.scenes)
     env = single_env(policy.card.task, policy.card.env, source_of("starter", "held_out"))
-    solved = [play(env, policy, seed).solved for seed in seeds(0, 8)]
+    solved = 0
+    for seed in seeds(0, 8):
+        solved += play(env, policy, seed).solved
+        if solved == 5:  # the other episodes cannot change the answer
+            break
     env.close()
-    assert sum(solved) >= 5
+    assert solved >= 5

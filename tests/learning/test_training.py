@@ -121,6 +121,7 @@ def alike(one: dict[str, np.ndarray], other: dict[str, np.ndarray]) -> bool:
 
 
 @pytest.mark.slow
+@pytest.mark.usefixtures("brief")
 @pytest.mark.parametrize("algorithm", ["sac", "ppo", "ppo-batch"])
 def test_the_same_seed_trains_the_same_weights(small, tmp_path: Path, algorithm: str) -> None:
     made = []

@@ -1,12 +1,13 @@
 """A text's plan corrects missing, duplicate and deviating objects of a reconstruction."""
 
 from dataclasses import replace
+from functools import cache
 
 import numpy as np
 import pytest
 
 from generator.language.planner import plan_scene
-from generator.layout import arrange_more, build_models, lay_out
+from generator.layout import Layout, arrange_more, build_models, lay_out
 from generator.layout.footprint import footprint, gaps
 from generator.layout.relation_check import check_relations, foresee
 from generator.method.planned import ALIKE, REAL, Laid, SceneDraft, draft_scene, lay_out_draft
@@ -25,13 +26,19 @@ def instance(name: str, label: str, color: tuple[int, int, int] = (255, 255, 255
     return Instance(name, label, box, np.ones((8, 8), bool), crop, box)
 
 
+@cache
+def planned(text: str) -> tuple[ScenePlan, dict[str, Model], Layout, Model]:
+    """Return a text's plan, models, layout and table; read-only."""
+    plan = plan_scene(text, 0)
+    built = build_models(plan, 1)
+    return plan, built, *lay_out(plan, built, 1)
+
+
 class Found:
     """A planned table with some detected objects, under the names of instances."""
 
     def __init__(self, text: str, *hidden: str) -> None:
-        self.plan: ScenePlan = plan_scene(text, 0)
-        built = build_models(self.plan, 1)
-        layout, table = lay_out(self.plan, built, 1)
+        self.plan, built, layout, table = planned(text)
         shown = [o for o in self.plan.objects if o.name not in hidden]
         self.names = {o.name: f"seen_{o.name}" for o in shown}
         self.instances = (

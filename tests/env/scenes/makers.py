@@ -22,8 +22,8 @@ def toy(what: str | ScenePlan, seed: int) -> Scene:
 
 
 def unhurried(what: str | ScenePlan, seed: int) -> Scene:
-    """Make a scene in a third of a second."""
-    time.sleep(0.3)
+    """Make a scene in a tenth of a second."""
+    time.sleep(0.1)
     return toy(what, seed)
 
 

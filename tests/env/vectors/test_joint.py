@@ -9,13 +9,13 @@ from worlds import two_scenes
 from generator.errors import InputError
 from tabletopgen_env.parallel.vector import Processes, TabletopVectorEnv
 
-SLOTS, STEPS = 5, 24
+SLOTS, STEPS = 3, 12  # in two processes, and three episodes each
 
 
 def play(mode: str, **settings: Any) -> list[Any]:
     """Play a few steps; return the result of every call."""
     env = TabletopVectorEnv(
-        SLOTS, scenes=two_scenes(), autoreset_mode=mode, max_episode_steps=9, **settings
+        SLOTS, scenes=two_scenes(), autoreset_mode=mode, max_episode_steps=5, **settings
     )
     rng = np.random.default_rng(0)
     kept: list[Any] = [env.reset(seed=3)]

@@ -1,6 +1,7 @@
 """Slots in processes equal slots on threads, bit for bit, with the same interface."""
 
 import copy
+import itertools
 import multiprocessing
 import os
 import pickle
@@ -11,6 +12,7 @@ import gymnasium as gym
 import numpy as np
 import pytest
 import shard_tasks
+from extent import part_of
 from gymnasium.vector import AutoresetMode
 from rollouts import rollout, same
 from toy import toy_scene
@@ -34,8 +36,13 @@ def shards() -> Any:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("observation", ["state", "goal"])
-@pytest.mark.parametrize("mode", [mode.value for mode in AutoresetMode])
+@pytest.mark.parametrize(
+    ("mode", "observation"),
+    part_of(
+        itertools.product([mode.value for mode in AutoresetMode], ["state", "goal"]),
+        ("SameStep", "state"), ("NextStep", "goal"), ("Disabled", "goal"),
+    ),
+)  # fmt: skip
 def test_a_rollout_is_that_of_threads_to_the_bit(mode: str, observation: str) -> None:
     setting: dict[str, Any] = {
         "scenes": two_scenes(), "observation": observation, "max_episode_steps": 4,
@@ -51,8 +58,8 @@ def test_a_rollout_is_that_of_threads_to_the_bit(mode: str, observation: str) ->
 @pytest.mark.slow
 def test_the_number_of_processes_changes_nothing() -> None:
     runs = [
-        rollout(TabletopVectorEnv(5, scenes=two_scenes(), processes=n, max_episode_steps=4))
-        for n in (1, 2, 5, 9)
+        rollout(TabletopVectorEnv(3, scenes=two_scenes(), processes=n, max_episode_steps=4))
+        for n in (1, 2, 4)
     ]
     assert all(same(runs[0], run) for run in runs[1:])
 
