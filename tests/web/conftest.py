@@ -17,8 +17,8 @@ from tabletopgen_web.page.site import write_site
 def shipped() -> list[Path]:
     """Every bundle that the package ships, or a part.
 
-    The part has round, oval and square tables, fruit, tall glasses, tools, and the tables that the
-    tests drive, search for and show beside each other.
+    The part has round, oval and rectangular tables, fruit, glassware, tools, and the tables that
+    the tests drive, search for and show beside each other.
     """
     everything = {path.name[:-13]: path for name in SHIPPED for path in find(name)}
     chosen = part_of(
