@@ -86,22 +86,16 @@ def place_on_page(page: Page, name: str) -> tuple[float, float]:
     return box["x"] + at["x"], box["y"] + at["y"]
 
 
-def axe_faults(page: Page) -> list[str]:
-    """Return the serious and critical violations reported by axe."""
-    page.add_script_tag(content=AXE.read_text(encoding="utf-8"))
-    found = page.evaluate("() => axe.run()")["violations"]
-    return [
-        f"{f['id']}: {f['help']} at {[n['target'] for n in f['nodes']][:3]}"
-        for f in found
-        if f["impact"] in ("serious", "critical")
-    ]
-
-
-def axe_share(page: Page) -> float:
-    """Return the weighted share of axe's applicable rules that hold."""
+def axe_results(page: Page) -> tuple[list[str], float]:
+    """Return axe's serious and critical violations, and the weighted share of rules that hold."""
     page.add_script_tag(content=AXE.read_text(encoding="utf-8"))
     done = page.evaluate("() => axe.run()")
+    faults = [
+        f"{f['id']}: {f['help']} at {[n['target'] for n in f['nodes']][:3]}"
+        for f in done["violations"]
+        if f["impact"] in ("serious", "critical")
+    ]
     weight = {"minor": 1, "moderate": 3, "serious": 7, "critical": 10}
     passed = sum(weight.get(rule["impact"] or "", 3) for rule in done["passes"])
     failed = sum(weight[rule["impact"]] for rule in done["violations"])
-    return passed / (passed + failed)
+    return faults, passed / (passed + failed)

@@ -5,6 +5,7 @@ import signal
 import tempfile
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -32,12 +33,21 @@ def pytest_configure() -> None:
 
 
 @pytest.fixture(scope="module")
-def browser() -> Iterator[object]:
+def running_browser() -> Iterator[object]:
     """Debian's Chromium for one module, since Playwright blocks other event loops."""
     from browser import chromium
 
     with chromium() as found:
         yield found
+
+
+@pytest.fixture
+def browser(running_browser: Any) -> Iterator[object]:
+    """The module's browser; it closes the test's pages, whose scenes would go on being drawn."""
+    yield running_browser
+    for context in running_browser.contexts:
+        context.unroute_all(behavior="ignoreErrors")
+        context.close()
 
 
 @pytest.fixture(scope="session")

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 import pytest
 import tiny_studies as tiny
 from command import Shell
+from extent import part_of
 from page_raters import (
     LONG,
     answer_all,
@@ -236,12 +237,18 @@ def test_who_begins_while_answers_are_sent_has_not_sent_any(
 
 
 # ---------------------------------------------------------------------------------- accessibility
-@pytest.mark.parametrize("scheme", ["light", "dark"])
-@pytest.mark.parametrize("size", [(1280, 800), (390, 844)], ids=["desk", "phone"])
+LOOKS = {
+    f"{size}-{scheme}": {"color_scheme": scheme, "viewport": {"width": width, "height": height}}
+    for size, width, height in (("desk", 1280, 800), ("phone", 390, 844))
+    for scheme in ("light", "dark")
+}
+
+
+@pytest.mark.parametrize("look", part_of(LOOKS, "desk-light", "phone-dark"))  # each value once
 def test_axe_finds_no_fault(
-    browser: Browser, study: Path, files: StudyFiles, axe: str, scheme: str, size: tuple[int, int]
+    browser: Browser, study: Path, files: StudyFiles, axe: str, look: str
 ) -> None:
-    settings = {"color_scheme": scheme, "viewport": {"width": size[0], "height": size[1]}}
+    settings = LOOKS[look]
     with opened(browser, study.as_uri(), **settings) as (_, page):
 
         def check(where: str) -> None:

@@ -8,12 +8,17 @@ import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
 from typing import Any
 
 from browser import Watched, opened, place_on_page, wait_for_scene, wait_for_scenes
 from browsing.chromium import ENGINE
 from playwright.sync_api import Browser, Page
+
+from generator.bundle import save
+from generator.composition import compose
+from generator.scene import Scene
 
 TEXT = "a wooden desk with a mug and a plate"
 
@@ -69,6 +74,22 @@ def make(page: Page, text: str = TEXT) -> None:
     page.get_by_role("link", name="Open the table").click(timeout=120_000)
     wait_for_scenes(page)
     assert page.evaluate(f"{ENGINE}.error.value") is None
+
+
+@cache
+def composed(text: str) -> Scene:
+    """Return the table of a text."""
+    return compose(text)
+
+
+def place(page: Page, studio: Studio, text: str = TEXT) -> str:
+    """Put a table into the studio's workspace, as its job would, and open it; return its id."""
+    scene = save(composed(text), studio.folder / "scenes").name
+    page.goto(f"{studio.root}#/scene/{scene}")
+    page.reload()  # no job of the studio made the table, so the open page does not know it
+    wait_for_scenes(page)
+    assert page.evaluate(f"{ENGINE}.error.value") is None
+    return scene
 
 
 def drag(page: Page, name: str, right: float, down: float, *, shift: bool = False) -> None:

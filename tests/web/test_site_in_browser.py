@@ -5,16 +5,9 @@ from typing import Any
 
 import numpy as np
 import pytest
-from browser import (
-    axe_faults,
-    axe_share,
-    opened,
-    place_on_page,
-    until,
-    wait_for_scene,
-    wait_for_scenes,
-)  # fmt: skip
+from browser import axe_results, opened, place_on_page, until, wait_for_scene, wait_for_scenes
 from browsing.chromium import ENGINE
+from extent import count
 from pages import STEPS, apart, simulate
 from playwright.sync_api import Browser, Page
 
@@ -51,7 +44,7 @@ def test_every_shipped_scene_stays_where_mujoco_in_python_says(
         page.evaluate(f"{ENGINE}.reset()")
         here = np.array(page.evaluate(f"{ENGINE}.advance({STEPS})")["qpos"])
         worst[bundle.name] = apart(here, simulate(bundle))
-    assert len(worst) == len(shipped) >= 23
+    assert len(worst) == len(shipped) >= count(23, 8)
     assert {n: w for n, w in worst.items() if w[0] > 1e3 or w[1] > 0.5} == {}
     assert watched.faults == []
 
@@ -157,14 +150,14 @@ def test_accessibility(browser: Browser, site: str, scheme: Any) -> None:
     page = opened(browser, color_scheme=scheme, bypass_csp=True).page
     page.goto(site)
     page.locator("a.card").first.wait_for()
-    assert axe_faults(page) == []
-    assert axe_share(page) >= 0.95
+    faults, share = axe_results(page)
+    assert faults == [] and share >= 0.95
     page.goto(f"{site}#/scene/{CUTTING}")
     wait_for_scenes(page)
     page.get_by_role("button", name="Drive the Panda").click()
     until(page, f"{ENGINE}.mode.value === 'arm'")
-    assert axe_faults(page) == []
-    assert axe_share(page) >= 0.95
+    faults, share = axe_results(page)
+    assert faults == [] and share >= 0.95
 
 
 def test_two_scenes_beside_each_other_on_a_phone(browser: Browser, site: str) -> None:

@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 from browser import opened, until, wait_for_scenes
 from playwright.sync_api import Browser, Page, Route
-from studio_pages import TEXT, Studio, drag, enter, jobs, make, running
+from studio_pages import TEXT, Studio, drag, enter, jobs, make, place, running
 
 from assets_cache.store import find
 
@@ -150,7 +150,7 @@ def test_an_edit_is_followed_after_a_reload_and_from_another_tab(
     browser: Browser, own: Studio
 ) -> None:
     page = enter(browser, own).page
-    make(page)
+    place(page, own)
     where = page.url
     other = page.context.new_page()
     other.goto(where)
