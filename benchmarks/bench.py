@@ -5,8 +5,8 @@
 
 Each player runs the test suites of its tasks, with and without randomisation, as by ``tabletopgen
 bench run PLAYER --suite SUITE``. Results are written to ``results/bench/``, one file each; a second
-run resumes and repeats nothing. The leaderboard includes all results in that folder, also those of
-others.
+run resumes and repeats nothing. The leaderboard includes all results of test suites in that folder,
+also those of others.
 """
 
 from __future__ import annotations
@@ -34,23 +34,23 @@ def fits(player: str, suite: str) -> bool:
 
 
 def main() -> None:
-    suites = [name for name in names() if "-test" in name]
+    tests = [name for name in names() if "-test" in name]
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0] if __doc__ else "")
     parser.add_argument(
         "--player", action="append", choices=PLAYERS, help="a player; may be repeated"
     )
-    parser.add_argument("--suite", action="append", choices=suites, help="a suite; may be repeated")
+    parser.add_argument("--suite", action="append", choices=names(), help="may be repeated")
     parser.add_argument("--tables", type=Path, help="folder of the tables")
     parser.add_argument("--workers", type=int, default=1)
     parser.add_argument("--out", type=Path, default=RESULTS)
     args = parser.parse_args()
     run = BenchRun(args.out / "bench", tables=args.tables, pool=PoolOptions(args.workers))
-    for suite in args.suite or suites:
+    for suite in args.suite or tests:
         for player in args.player or PLAYERS:
             if fits(player, suite):
                 result = read_result(run_suite(find_suite(suite), player, run))
                 print(f"{suite}, {player}: {result.solved} of {len(result.episodes)}", flush=True)
-    text = page(read_results(args.out / "bench"))
+    text = page(r for r in read_results(args.out / "bench") if r.suite in tests)
     (args.out / "leaderboard.md").write_text(text, encoding="utf-8")
 
 

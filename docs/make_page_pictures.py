@@ -1,6 +1,7 @@
 """Make the pictures of the web pages: ``python docs/make_page_pictures.py [NAME ...]``.
 
-Chromium opens a page of the shipped tables and a studio of an empty folder, and takes screenshots.
+Chromium opens a page of the shipped tables (``--scenes``) and a studio of an empty folder, and
+takes screenshots.
 """
 
 from __future__ import annotations
@@ -108,6 +109,7 @@ def main() -> None:
     """Make the pictures that are named, or all."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("names", nargs="*", metavar="NAME", help=f"of {', '.join(PICTURES)}")
+    parser.add_argument("--scenes", default=assets_cache.STARTER, help="tables on the page")
     parser.add_argument("--out", type=Path, default=FOLDER, help="folder of the pictures")
     options = parser.parse_args()
     unknown = {*options.names} - {*PICTURES}
@@ -118,7 +120,7 @@ def main() -> None:
     options.out.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory() as scratch, sync_playwright() as play:
         folder = Path(scratch)
-        write_site(assets_cache.find(assets_cache.STARTER), folder / "site")
+        write_site(assets_cache.find(options.scenes), folder / "site")
         with serve(folder / "site") as site, start_studio(folder / "studio") as studio:
             browser = launch(play)
             for name in options.names or PICTURES:

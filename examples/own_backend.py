@@ -39,7 +39,7 @@ class BoxModeler:
 
 def main() -> None:
     backends = Backends.select("embedded", modeler=BoxModeler())
-    generation = generate("a desk with a laptop, a mug and a book", backends)
+    generation = generate("a desk with a mug and a book", backends)
     print("bundle:", generation.save("out/own_backend"))
     print("answered by:", generation.scene.provenance.backends["modeler"])
 

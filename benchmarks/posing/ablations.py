@@ -63,13 +63,15 @@ _FAR = 10.0  # millimetres
 class AblationRun:
     """Settings of the rows besides the scene; ``strips`` is the folder of its pictures.
 
-    ``text`` is the text of every scene; without it, each scene has a theme.
+    ``text`` is the text of every scene; without it, each scene has a theme. ``variants`` are names
+    of ``VARIANTS``.
     """
 
     split: str
     seed: int
     strips: Path
     text: str = ""
+    variants: tuple[str, ...] = tuple(VARIANTS)
 
 
 def as_placed(scene: Scene) -> Scene:
@@ -117,7 +119,7 @@ def rows_of(truth: Truth, made: Generation, seconds: float) -> list[Row]:
 
 
 def work(number: int, run: AblationRun) -> list[Row]:
-    """Draw one scene, rebuild it in every variant, and compare; a failure is also a row."""
+    """Draw one scene, rebuild it in each variant, and compare; a failure is also a row."""
     rows: list[Row] = []
     tiles: dict[str, UInt8[np.ndarray, "h w 3"]] = {}
     try:
@@ -128,10 +130,10 @@ def work(number: int, run: AblationRun) -> list[Row]:
         return [
             dict.fromkeys(FIELDS, "") | {"scene": number, "of": 1, "error": tables.failure(error)}
         ]
-    for variant, config in VARIANTS.items():
+    for variant in run.variants:
         begin = time.process_time()
         try:
-            made = generate(np.asarray(truth.picture), backends, config, seed=number)
+            made = generate(np.asarray(truth.picture), backends, VARIANTS[variant], seed=number)
             new = rows_of(truth, made, time.process_time() - begin)
             tiles[variant] = _tile(made)
         except Exception as error:  # one variant must not abort the run

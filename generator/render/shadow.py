@@ -61,8 +61,9 @@ class Shadow:
         self._width = len(padded)
         self._map = padded.ravel()
         self._tiles = self._width // _TILE
-        self._highest = _extremes(padded, around, np.maximum).ravel()
-        self._lowest = _extremes(padded, around, np.minimum).ravel()
+        border = self._border // _TILE
+        self._highest = _extremes(depth_map, border, around, np.maximum).ravel()
+        self._lowest = _extremes(depth_map, border, around, np.minimum).ravel()
 
     def _on_map(self, points: Float[np.ndarray, "p 3"]) -> tuple[Float[np.ndarray, "p"], ...]:
         """Return points' columns and rows on the map, and their depths along the rays in metres."""
@@ -106,20 +107,24 @@ class Shadow:
 
 
 def _extremes(
-    values: Float[np.ndarray, "h w"], around: int, extreme: np.ufunc
+    values: Float[np.ndarray, "h w"], border: int, around: int, extreme: np.ufunc
 ) -> Float[np.ndarray, "th tw"]:
     """Return the extreme value over each tile and the ``around`` tiles on every side of it.
 
-    The map is empty outside ``values``.
+    The map is empty outside ``values``, also in the ``border`` tiles of the result on every side.
     """
+    window = 2 * around + 1
     for axis in (0, 1):
         values = np.moveaxis(values, axis, 0)
         tiles = values[::_TILE]
         for k in range(1, _TILE):
             tiles = extreme(tiles, values[k::_TILE])
-        wide = np.pad(tiles, ((around, around), (0, 0)), constant_values=-np.inf)
-        values = wide[: len(tiles)]
-        for k in range(1, 2 * around + 1):
-            values = extreme(values, wide[k : k + len(tiles)])
+        margin = border + around
+        values = np.pad(tiles, ((margin, margin), (0, 0)), constant_values=-np.inf)
+        covered = 1  # tiles of which each entry has the extreme, doubled until they are a window
+        while covered < window:
+            more = min(covered, window - covered)
+            values = extreme(values[:-more], values[more:])
+            covered += more
         values = np.moveaxis(values, 0, axis)
     return values
