@@ -15,6 +15,7 @@ import shutil
 import signal
 import sys
 import threading
+import time
 from pathlib import Path
 from typing import BinaryIO
 
@@ -73,7 +74,8 @@ def _listen(given: BinaryIO, tasks: _Tasks, busy: threading.Event, folder: Path 
         while True:
             tasks.put(pickle.load(given))
     tasks.put(None)
-    busy.wait(_EXIT_TIME)  # whoever sent the tasks has gone: none needs to be begun any more
+    if not busy.is_set():
+        time.sleep(_EXIT_TIME)
     _remove(folder)
     with contextlib.suppress(OSError):
         os.killpg(os.getpid(), signal.SIGKILL)
