@@ -58,6 +58,7 @@ def test_the_validator_finds_faults(tmp_path: Path) -> None:
 
 
 @pytest.mark.slow
+@pytest.mark.usefixtures("inline")
 @pytest.mark.parametrize("name", PART)
 def test_every_shipped_bundle_is_imported_from_glb_as_it_was(name: str, tmp_path: Path) -> None:
     """Names, poses, sizes, parts, mass, friction and colours; trimesh reads it first."""

@@ -214,7 +214,7 @@ def test_a_mesh_that_fails_counts_as_a_rough_one(tmp_path: Path, monkeypatch) ->
     budget = CutBudget(50)
     for k in range(5):
         for _ in range(2):
-            with pytest.raises(SceneError, match="breaks" if k < 2 else "used up"):
+            with pytest.raises(SceneError, match="breaks" if k < 2 else "used all convex parts"):
                 decompose(
                     together(trimesh.creation.box(extents=(1, 1, 1 + k))), np.ones(3),
                     cache=tmp_path, budget=budget,
