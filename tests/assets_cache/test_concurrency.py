@@ -9,6 +9,7 @@ import time
 from pathlib import Path
 
 import pytest
+from extent import count
 from toy import toy_object, toy_scene
 
 import assets_cache
@@ -214,7 +215,7 @@ def test_only_staging_folders_are_swept(tmp_path: Path) -> None:
 
 @pytest.mark.slow
 def test_savers_removers_and_readers_at_once(tmp_path: Path) -> None:
-    seconds = os.environ.get("TABLETOPGEN_TEST_RACE", "6")
+    seconds = os.environ.get("TABLETOPGEN_TEST_RACE", str(count(6, 3)))
     script = ROOT / "benchmarks" / "concurrency.py"
     done = subprocess.run(
         [sys.executable, script, "--seconds", seconds, "--out", tmp_path],

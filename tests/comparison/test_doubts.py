@@ -9,7 +9,9 @@ from toy import toy_scene
 
 from generator import cli, pipeline
 from generator.comparison.doubts import PictureMatch, match_picture, warn_of_eye_level
+from generator.generation import Config
 from generator.geometry import Camera, mask_box
+from generator.method.rotation import RotationConfig
 from generator.render.sheet import render_scene
 from generator.scene import TABLE, Instance, Reference, Scene, View
 
@@ -81,6 +83,8 @@ def test_the_command_ends_with_6_where_the_view_shows_something_else(
 ) -> None:
     blank = PictureMatch(0.0, ("The simulated view is blank.",))
     monkeypatch.setattr(pipeline, "match_picture", lambda *_: blank)
+    quick = Config(rotation=RotationConfig.quick())  # which the comparison does not see
+    monkeypatch.setattr("generator.generation.Config", lambda **_: quick)
     picture = Path(__file__).parents[2] / "examples/pictures/coffee_table.png"
     assert cli.run(["generate", str(picture), "--out", str(tmp_path)]) == 6
     shown = capsys.readouterr()

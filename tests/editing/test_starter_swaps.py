@@ -1,10 +1,12 @@
 """A swap at each of five starter tables: one object changes, everything else is identical."""
 
+from itertools import product
 from pathlib import Path
 
 import numpy as np
 import pytest
 from changed import kept
+from extent import part_of
 
 import assets_cache
 from generator import bundle, editing
@@ -33,8 +35,12 @@ QUICK = Config(
 """A coarse search for the yaw of what was drawn; nothing else is left out."""
 
 
-@pytest.mark.parametrize("backend", [None, "embedded"])
-@pytest.mark.parametrize("starter", SWAPS)
+# What is drawn differs by what is asked for: a hollow mug, and a candle at a round table.
+@pytest.mark.parametrize(
+    ("starter", "backend"),
+    part_of(product(SWAPS, [None, "embedded"]),
+            *((starter, None) for starter in SWAPS), ("lab", "embedded"), ("vanity", "embedded")),
+)  # fmt: skip
 def test_a_swap_at_a_starter_keeps_all_else(
     starter: str, backend: str | None, tmp_path: Path
 ) -> None:

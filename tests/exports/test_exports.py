@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from command import Shell, command
 from imported import READERS, Found, settle_drift
-from shipped import BUNDLES
+from shipped import BUNDLES, PART
 from toy import toy_object, toy_scene
 
 import assets_cache
@@ -167,7 +167,7 @@ def test_the_command_exports_bundles_in_formats(tmp_path: Path, shell: Shell) ->
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", BUNDLES)
+@pytest.mark.parametrize("name", PART)
 def test_every_shipped_bundle_comes_back_and_stays(name: str, tmp_path: Path) -> None:
     """All formats agree to 1e-4; in MuJoCo, 2 s later, nothing has moved by a millimetre."""
     scene = load(BUNDLES[name])

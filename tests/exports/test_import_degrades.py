@@ -237,6 +237,7 @@ BALL = '<body name="ball" pos="1.2 2 .78"><freejoint/><geom type="sphere" size="
 
 
 @pytest.mark.slow
+@pytest.mark.usefixtures("inline")
 def test_a_ball_is_judged_on_a_level_table_then_and_later(tmp_path: Path, shell: Shell) -> None:
     source = write(tmp_path, TABLE + CUBE + BALL)
     scene = import_scene(source)
@@ -322,6 +323,7 @@ def test_what_is_no_sheet_stays_as_it_is(size: tuple[float, float, float]) -> No
     assert made is given and thickness == 0
 
 
+@pytest.mark.usefixtures("inline")
 def test_bodies_that_show_one_mesh_are_repaired_once(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -336,6 +338,7 @@ def test_bodies_that_show_one_mesh_are_repaired_once(
     assert len(calls) == 1
 
 
+@pytest.mark.usefixtures("inline")
 def test_bodies_with_collision_shapes_are_not_covered_again(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -344,6 +347,7 @@ def test_bodies_with_collision_shapes_are_not_covered_again(
     assert [o.name for o in scene.objects] == ["cube"]
 
 
+@pytest.mark.usefixtures("inline")
 def test_objects_beyond_the_budget_of_cuts_collide_as_their_hulls(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -354,6 +358,7 @@ def test_objects_beyond_the_budget_of_cuts_collide_as_their_hulls(
     assert "used all convex parts" in found["box 1"].detail
 
 
+@pytest.mark.usefixtures("inline")
 def test_objects_beyond_the_shapes_of_a_bundle_are_refused(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -377,6 +382,7 @@ def test_objects_beyond_the_shapes_of_a_bundle_are_refused(
     assert built == ["b0"]
 
 
+@pytest.mark.usefixtures("inline")
 @pytest.mark.parametrize("kind", ["mjcf", "folder"])
 def test_shapes_are_counted_as_a_bundle_counts_them(
     kind: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
@@ -398,6 +404,7 @@ def test_shapes_are_counted_as_a_bundle_counts_them(
             assert len(import_scene(path).objects) == 1
 
 
+@pytest.mark.usefixtures("inline")
 def test_a_config_of_its_own_says_the_lean(tmp_path: Path) -> None:
     config = AssemblyConfig(limits=GateLimits(lean=float(np.deg2rad(1.5))))
     scene = import_scene(write(tmp_path), ImportOptions(lean=3.0), config)

@@ -207,6 +207,7 @@ def check_same(again: Scene, scene: Scene) -> None:
 
 
 @pytest.mark.slow
+@pytest.mark.usefixtures("inline")
 @pytest.mark.parametrize("to", ["mjcf", "glb"])
 @pytest.mark.parametrize("name", ["office-desk", "kitchen-cutting"])
 def test_an_export_is_imported_again(name: str, to: str, tmp_path: Path) -> None:
@@ -216,6 +217,7 @@ def test_an_export_is_imported_again(name: str, to: str, tmp_path: Path) -> None
 
 
 @pytest.mark.slow
+@pytest.mark.usefixtures("inline")
 def test_sixty_objects_go_out_and_come_back(tmp_path: Path) -> None:
     things = [
         toy_object(
@@ -248,6 +250,7 @@ def test_the_command_publishes_a_sound_bundle_or_nothing(tmp_path: Path, shell: 
 
 
 @pytest.mark.slow
+@pytest.mark.usefixtures("inline")
 def test_names_and_frames_of_foreign_bodies(tmp_path: Path) -> None:
     odd = CUBE.replace('"cube"', '"a/b"').replace("1 2 .77", "1.1 2 .77")
     lying = """<body name="can 2" pos="1 2.2 .78" euler="90 0 0"><freejoint/>
