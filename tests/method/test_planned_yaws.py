@@ -42,7 +42,7 @@ def test_fronts_are_the_same_for_all_shapes() -> None:
     assert draft.models[NAME] is draft.planned[NAME]
     assert draft.shown[NAME].yaw == YAW == draft.yaws[NAME]
     (said,) = (w for w in draft.warnings if NAME in w)
-    assert "built from the plan: its outline" in said and UNTOLD not in said
+    assert "built from the plan: the object's outline" in said and UNTOLD not in said
 
 
 @pytest.mark.parametrize(
@@ -95,7 +95,7 @@ def test_members_of_groups_are_arranged_as_a_whole() -> None:
     draft = draft_scene(*facts, 0, ALIKE, {}, turn)
     assert asked == [] and not {*forks} & {*draft.yaws}
     reasons = [w for w in draft.warnings if w.split()[0] in forks]
-    assert ["different proportions" in w for w in sorted(reasons)].count(True) == 1
+    assert ["planned proportions" in w for w in sorted(reasons)].count(True) == 1
     assert sum("match the other place settings" in w for w in reasons) == 1
 
 
