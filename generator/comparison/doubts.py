@@ -66,8 +66,8 @@ def warn_of_eye_level(scene: Scene) -> tuple[str, ...]:
         return ()
     return (
         (
-            f"The picture was taken from eye level ({np.rad2deg(elevation):.0f}°): the depths of "
-            "objects and their positions in depth are not visible and were guessed."
+            f"The picture was taken from eye level ({np.rad2deg(elevation):.0f}°): the sizes "
+            "and positions of objects from front to back are not visible and were guessed."
         ),
     )
 

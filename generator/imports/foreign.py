@@ -130,7 +130,7 @@ class ForeignBody:
             )
         far = np.abs(self.surface.vertices).max(), np.abs(self.position).max()
         if not np.isfinite(far).all():
-            raise InputError(f"The body {self.name!r} has a number that is not finite.")
+            raise InputError(f"The body {self.name!r} contains a number that is not finite.")
 
     def scale(self, factor: float) -> ForeignBody:
         """Return the body with lengths scaled by ``factor``.

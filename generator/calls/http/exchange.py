@@ -140,8 +140,8 @@ def _target(url: httpx2.URL, location: str) -> httpx2.URL | Trouble:
         return Trouble("The server redirects to an invalid address.", again=False)
     if origin != _origin(url):
         return Trouble(
-            f"The server redirects to another server, {where[:_EXCERPT]}, which was not followed "
-            "because that server would receive the key. If the server is the intended one, "
+            f"The server redirects to another server, {where[:_EXCERPT]}. The redirect was not "
+            "followed, because that server would receive the key. If it is the intended server, "
             "configure its address.",
             again=False,
         )
