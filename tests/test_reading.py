@@ -69,7 +69,7 @@ def test_deep_texts_are_refused(raw, error):
 
 
 def test_texts_of_too_many_values_are_refused():
-    with pytest.raises(InputError, match=r"^It has more than 4000000 values"):
+    with pytest.raises(InputError, match=r"^It exceeds the limit of 4000000 values"):
         parse_json(b"[" + b"[]," * 3_000_000 + b"1]", "It", InputError)
 
 

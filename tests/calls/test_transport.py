@@ -440,7 +440,7 @@ def test_a_model_without_a_price_is_free_on_this_machine_alone() -> None:
     with serving([Says()]) as server:
         assert ask(shared, server.url).json() == CHAT
         assert shared.account.entries[0].money == 0.0
-    with pytest.raises(BudgetError, match="price is unknown"):
+    with pytest.raises(BudgetError, match="price of the call is unknown"):
         ask(shared, "http://cloud.invalid")
 
 

@@ -44,9 +44,9 @@ def test_the_grasp_width_is_the_narrowest_way_across() -> None:
     ("size", "mass", "wall", "reason"),
     [
         ((0.05, 0.3, 0.1), 0.2, None, None),
-        ((0.12, 0.12, 0.1), 0.2, None, "it is 12.0 cm wide"),
-        ((0.05, 0.05, 0.008), 0.02, None, "its height of 8 mm is less"),
-        ((0.05, 0.05, 0.1), 4.0, None, "its mass of 4 kg exceeds"),
+        ((0.12, 0.12, 0.1), 0.2, None, "the object is 12.0 cm wide"),
+        ((0.05, 0.05, 0.008), 0.02, None, "the height of 8 mm is less"),
+        ((0.05, 0.05, 0.1), 4.0, None, "the mass of 4 kg exceeds"),
         ((0.16, 0.16, 0.07), 0.3, 0.006, None),
     ],
 )

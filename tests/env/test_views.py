@@ -181,7 +181,7 @@ def test_depth_says_ten_metres_where_nothing_is() -> None:
     [
         ({"cameras": ("frond",)}, "Unknown camera 'frond'.*Did you mean 'front'.*top, wrist"),
         ({"cameras": ()}, "at least one camera"),
-        ({"cameras": ("top", "top")}, "without repetition"),
+        ({"cameras": ("top", "top")}, "no duplicates"),
         ({"cameras": None}, "Unknown camera None"),
         ({"kinds": ("flow",)}, "Unknown kind 'flow'.*depth, rgb, segmentation"),
         ({"kinds": ()}, "at least one kind"),

@@ -127,7 +127,7 @@ def test_settings_out_of_range_are_refused(wrong):
 
 def test_a_gpu_that_is_not_there_is_refused(monkeypatch):
     monkeypatch.setattr(torch.cuda, "device_count", lambda: 1)
-    with pytest.raises(InputError, match=r"torch reports 1 such GPUs"):
+    with pytest.raises(InputError, match=r"torch finds 1 CUDA GPUs"):
         objectives(*shown("plate", 2.0, seed=0), dataclasses.replace(FAST, device="cuda:1"))
 
 

@@ -182,5 +182,5 @@ def test_what_stands_on_something_is_put_over_it():
     assert checked(boxes, instances, stacking)[0].repaired == ()
     del boxes["g"]
     top, warnings = checked(boxes, instances, stacking)
-    assert top.repaired == ("g",) and "does not show it" in warnings[0]
+    assert top.repaired == ("g",) and "does not show the object" in warnings[0]
     assert off(np.asarray(top.boxes["g"]), "a") < 0.02

@@ -180,7 +180,7 @@ HOSTILE: dict[str, tuple[Change, str]] = {
     "no choice": (lambda f: _first(f).update(choice=None), "preferred"),
     "order": (lambda f: _first(f).update(order=["x", "y"]), "displayed results"),
     "order of numbers": (lambda f: _first(f).update(order=[1, "y"]), "order"),
-    "no check": (lambda f: f.update(checks=[]), "0 of 1 checks"),
+    "no check": (lambda f: f.update(checks=[]), "0 of 1 attention checks"),
     "check": (lambda f: f["checks"][0].update(given=0), "check"),
     "check's scene": (lambda f: f["checks"][0].update(scene={}), "check"),
 }
