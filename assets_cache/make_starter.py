@@ -89,7 +89,7 @@ def make(folder: Path, recipes: Mapping[str, Recipe]) -> list[Path]:
 
 
 def remake(here: Path, folders: Mapping[str, Mapping[str, Recipe]]) -> None:
-    """Compose all scenes, and then replace the folders of bundles in ``here`` with these names.
+    """Compose all scenes, and then replace the bundle folders in ``here`` that have these names.
 
     Raises:
         SceneError: a scene fails the checks, or the bundles are too large in total.

@@ -174,7 +174,7 @@ def find_declaration(key: str) -> Category | None:
 
 
 def find_source(category: Category) -> tuple[Path, int]:
-    """Return the file that declares a category, and the number of the line, counted from 1."""
+    """Return the file that declares a category and the line number of the declaration, from 1."""
     if isinstance(draw := category.shape, _Deferred):
         path = Path(__file__).parent.joinpath(*draw.module.split(".")[1:]).with_suffix(".py")
         line = _find_line(path, category.key)

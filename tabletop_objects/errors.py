@@ -23,7 +23,7 @@ class InputError(TabletopError, ValueError):
 
 
 def choices(wrong: str, available: Iterable[str]) -> str:
-    """Return a suggestion and all valid names, to end an error message about an unknown name."""
+    """Return a suggestion and all valid names, to be appended to an error about an unknown name."""
     names = sorted(available)
     shown = ", ".join(names) if names else "nothing"
     return f"{suggestion(wrong, names)} Available: {shown}."

@@ -1,4 +1,4 @@
-"""Value types for meshes, convex parts, physics and sizes, in SI units with the z axis up.
+"""Value types for meshes, convex parts, physical properties and sizes, in SI units, with z up.
 
 *Canonical frame* of a model: its mesh fills the unit box ``[-0.5, 0.5]^3``; ``Model.size`` is its
 extent in metres. *Texture coordinates* have u to the right and v upwards, so row 0 of a texture is
@@ -162,7 +162,7 @@ class ConvexPart:
 
 @dataclass(frozen=True, eq=False)
 class Slot:
-    """A slot for one object in a holder, such as a toast rack.
+    """A slot for one object in a holder such as a toast rack.
 
     ``at`` is where the centre of the object's underside goes, in the holder's canonical frame;
     ``yaw`` is the object's rotation relative to the holder, in radians; and ``name`` is the
@@ -267,7 +267,7 @@ Stance = Literal["edge", "end", "side"]
 
 @dataclass(frozen=True)
 class Holder:
-    """Slots for objects that stand side by side along a holder's x axis.
+    """The slots of a holder, in which objects stand side by side along the holder's x axis.
 
     Attributes:
         stance: how objects stand in their slots.

@@ -113,7 +113,7 @@ def resting_height(obj: Object) -> float:
 
 
 def footprint(obj: Object) -> Float[np.ndarray, "k 2"]:
-    """Return the convex outline of the resting object from above, in the world frame."""
+    """Return the convex outline of the resting object, seen from above, in the world frame."""
     turned = collision_points(obj) @ quaternion_matrix(obj.pose.quaternion).T
     return convex_outline((turned + obj.pose.position)[:, :2])
 
@@ -192,7 +192,7 @@ class _Scan(NamedTuple):
 
 
 def _scan(obj: Object, count: Int[np.ndarray, "2"]) -> _Scan:
-    """Scan an object from above, on ``count`` cells along the body's x and y axes."""
+    """Scan an object from above on a grid of ``count`` cells along the body's x and y axes."""
     low, high = (f(collision_points(obj), axis=0) for f in (np.min, np.max))
     cell = (high - low)[:2] / count
     middles = [low[k] + cell[k] * (np.arange(count[k]) + 0.5) for k in (0, 1)]
@@ -222,7 +222,7 @@ def _opening(scan: _Scan, rim: float, inner: Bool[np.ndarray, "nx ny"]) -> Openi
 
 @dataclass(frozen=True, eq=False)
 class Plateau:
-    """The largest disc on the flat top of an object, in metres in the body frame."""
+    """The largest disc on an object's flat top, in the body frame and in metres."""
 
     center: Float[np.ndarray, "3"]
     radius: float
@@ -335,7 +335,7 @@ def _planes(part: ConvexPart) -> Float[np.ndarray, "p 4"]:
 def _span(
     planes: Float[np.ndarray, "p 4"], points: Float[np.ndarray, "n 2"]
 ) -> tuple[Bool[np.ndarray, "n"], Float[np.ndarray, "n"], Float[np.ndarray, "n"]]:
-    """Return whether each (x, y) is over the hull, and the hull's lower and upper height there."""
+    """Return whether each (x, y) is over the hull, and the hull's lower and upper heights there."""
     # Avoid a matrix product: at this size it wakes BLAS threads, which then spin for 80 ms.
     nz = planes[:, 2]
     upper, lower, wall = (planes[k] for k in (nz > 1e-9, nz < -1e-9, np.abs(nz) <= 1e-9))

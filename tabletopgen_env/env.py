@@ -1,4 +1,4 @@
-"""The environment, which combines scene source, robot, task, action, observation and reward."""
+"""The environment, which combines scenes, a robot, a task, actions, observations and a reward."""
 
 from __future__ import annotations
 
@@ -216,7 +216,7 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         return self._drawer(self._config.render.shape, "full").rgb(self.world, CAMERAS[camera])
 
     def close(self) -> None:
-        """Close renderers and windows and stop processes of ``scenes``. Can be called repeatedly.
+        """Close renderers and windows and stop processes of ``scenes``; repeated calls are allowed.
 
         A ``SceneSource`` that was passed in remains open; the caller closes it.
         """
@@ -438,7 +438,7 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
 
 
 class GoalTabletopEnv(TabletopEnv):
-    """An environment with dict observations; their two goals alone determine the reward.
+    """An environment with dict observations; the reward depends only on their two goals.
 
     Hindsight replay (SB3's ``HerReplayBuffer``) calls ``compute_reward`` with relabelled goals.
     """

@@ -1,4 +1,4 @@
-"""The built front end: HTML, JavaScript and MuJoCo's WebAssembly, in ``static/`` of the package.
+"""The built front end in the package's ``static/``: HTML, JavaScript and MuJoCo's WebAssembly.
 
 Wheels include it. A source checkout builds it on first use, since it is not in git.
 """

@@ -42,7 +42,7 @@ Sizes = Mapping[str, SizePrior]
 
 
 class Each(Protocol):
-    """A function that applies one question to many items."""
+    """A function that asks one question about each of many items."""
 
     def __call__(self, work: Callable[[T], R], items: Sequence[T]) -> list[R]:
         """Return the result of ``work`` for every item, in order."""
@@ -135,7 +135,7 @@ class PoseGuesser(Protocol):
     def guess_layout(
         self, reference: Reference, instances: Instances, sizes: Sizes, view: View
     ) -> Mapping[str, LayoutBox]:
-        """Return the position on the table and the size, in metres, of each instance but the table.
+        """Return each instance's position on the table and its size, in metres, except the table's.
 
         The tabletop has the size in ``sizes``.
         """

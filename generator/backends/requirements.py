@@ -62,6 +62,6 @@ def working(what: str) -> Iterator[None]:
 
 
 def models_folder(given: str | Path | None = None) -> Path:
-    """Return ``given``, or else the environment's folder, or else the one in this user's cache."""
+    """Return ``given``, the environment's folder, or the user's cache folder, in this order."""
     usual = Path(platformdirs.user_cache_dir("tabletopgen")) / "models"
     return Path(given or os.environ.get(MODELS) or usual).expanduser()

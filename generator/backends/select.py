@@ -175,7 +175,7 @@ class Backends:
         return session.each if isinstance(session, Session) else in_turn
 
     def asks_servers(self) -> bool:
-        """Return whether a role has a ``session``, so that its answers come from a server."""
+        """Return whether any role has a ``session``, so that its answers come from a server."""
         return any(hasattr(getattr(self, role), "session") for role in PROTOCOLS)
 
     def for_text(self) -> Backends:

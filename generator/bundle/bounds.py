@@ -1,4 +1,4 @@
-"""Limits on the size of a bundle, checked on counts and headers before anything is decoded.
+"""Limits on the size of a bundle, applied to counts and headers before anything is decoded.
 
 The shipped tables have at most 7 models, 253 convex parts and 20,000 triangles per mesh. The limits
 allow 20 foreign models of 24,000 triangles, the modelers' default maximum, with textures of 2048
@@ -67,7 +67,7 @@ BOUNDS = Bounds()
 
 
 def check_counts(payload: dict[str, Any], bounds: Bounds = BOUNDS) -> None:
-    """Check the counts in the values of ``scene.json`` before arrays are made of them.
+    """Check the counts in ``scene.json`` before its values are converted to arrays.
 
     Raises:
         BundleError: a count is out of bounds, or a value has the wrong type.
@@ -89,7 +89,7 @@ def check_counts(payload: dict[str, Any], bounds: Bounds = BOUNDS) -> None:
 
 
 def check_listed(files: object) -> None:
-    """Check the list of a bundle's files: how many there are, and their stated sizes.
+    """Check the list of a bundle's files: their number and their stated sizes.
 
     Raises:
         BundleError: there are too many files, a file is too large, or the list is malformed.

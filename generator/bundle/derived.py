@@ -129,7 +129,7 @@ def _difference(wanted: ET.Element, found: ET.Element) -> str:
 
 
 def _close(key: str, wanted: str, found: str) -> bool:
-    """Return whether an attribute is a computed one whose numbers agree to within rounding."""
+    """Return whether an attribute is computed and its numbers agree to within rounding."""
     words = found.split(" ")
     if key not in _COMPUTED or not all(map(_NUMBER.fullmatch, words)):
         return False

@@ -22,7 +22,7 @@ _LENGTH, _UNIT, _MASS = 7, 6, 12  # decimals of metres, canonical coordinates an
 
 
 def dumps(payload: Mapping[str, Any]) -> bytes:
-    """Return the canonical text of ``payload``: sorted keys, a line per key, and compact arrays."""
+    """Return the canonical text of ``payload``: sorted keys, one per line, and compact arrays."""
     lines: list[str] = []
     for key in sorted(payload):
         value = payload[key]

@@ -1,4 +1,4 @@
-"""Strictly typed conversion of JSON values by the annotations of dataclass fields."""
+"""Strictly typed conversion of JSON values according to the annotations of dataclass fields."""
 
 from __future__ import annotations
 

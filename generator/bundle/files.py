@@ -34,7 +34,7 @@ def read_files(path: str | Path) -> dict[str, bytes]:
 
 
 def copy(path: str | Path, folder: str | Path) -> Path:
-    """Publish a copy of a bundle in ``folder``, which is created if missing; return its path.
+    """Publish a copy of a bundle in ``folder``, which is created if missing; return the new path.
 
     Raises:
         BundleError: there is no bundle, or a file is missing or has been changed.

@@ -143,7 +143,7 @@ def load_pictures(path: str | Path) -> dict[str, bytes]:
 
 @steady
 def load_verified(path: str | Path) -> Scene:
-    """Read a bundle as with ``load``, build the visual geoms in MuJoCo, and read the segments.
+    """Read a bundle as ``load`` does, build its visual geoms in MuJoCo, and read its segments.
 
     Raises:
         BundleError: there is no bundle, or it is invalid.
@@ -163,7 +163,7 @@ def verify(path: str | Path) -> list[str]:
 
 @steady
 def check(path: str | Path) -> list[str]:
-    """Check a bundle as with ``load_verified``; return its files not listed in ``scene.json``.
+    """Check a bundle as ``load_verified`` does; return its files that ``scene.json`` does not list.
 
     Raises:
         MissingError: there is no bundle.
@@ -332,7 +332,7 @@ def read_inside(
     error: type[TabletopError] = BundleError,
     kind: Literal["bundle", "folder"] = "bundle",
 ) -> bytes:
-    """Read a regular file in ``folder``, without links or ``..``, of at most ``limit`` bytes.
+    """Read a regular file of at most ``limit`` bytes in ``folder``; reject links and ``..``.
 
     ``kind`` is what messages call the folder.
 

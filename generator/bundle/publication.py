@@ -214,7 +214,7 @@ def _remove_if_stale(folder: Path, name: str) -> None:
 
 
 def _remove(staging: Path) -> None:
-    """Remove a staging folder, and its marker last, so that an interruption leaves it marked."""
+    """Remove a staging folder; its marker goes last, so that an interruption leaves it marked."""
     remove_tree(staging, _INNER)
     remove_file(staging, _MARKER)
     staging.rmdir()

@@ -195,7 +195,7 @@ def _texts(value: Any) -> Iterator[str]:
 
 
 def _count(value: Any) -> int:
-    """Parse a count as written by servers and in forms, or return 0 if it is invalid."""
+    """Parse a count as servers and forms write it, or return 0 if it is invalid."""
     if isinstance(value, str) and len(value) > _DIGITS:
         return 0
     try:

@@ -259,7 +259,7 @@ KEY = "x-tabletopgen-key"
 
 @dataclass(frozen=True)
 class Used:
-    """The keys of the answers stored in ``store`` so far for one question.
+    """The keys of the answers to one question that are stored in ``store`` so far.
 
     After a success the answers stay in the store for a run that resumes. After an error caused by
     their content they must be removed, or every later run would fail in the same way.

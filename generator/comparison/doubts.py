@@ -42,7 +42,7 @@ class PictureMatch:
 def match_picture(
     scene: Scene, instances: tuple[Instance, ...], reference: Reference
 ) -> PictureMatch:
-    """Render a scene from its picture's camera and compare the two.
+    """Render a scene from its picture's camera and compare the rendering with the picture.
 
     ``instances`` are the detections in the picture, including the table.
     """

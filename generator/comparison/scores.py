@@ -69,7 +69,7 @@ class Comparison:
         return float(np.mean(known)) if known else None
 
     def silhouette(self, name: str) -> Bool[np.ndarray, "h w"]:
-        """Return rendered pixels of the table or an object, or an empty mask if it is missing."""
+        """Return the pixels that show an object or the table, or an empty mask if it is missing."""
         names = [TABLE, *(thing.name for thing in self.scene.objects)]
         shown = np.asarray(self.rendered.ids)
         return shown == names.index(name) if name in names else np.zeros(shown.shape, bool)
@@ -92,7 +92,7 @@ class Comparison:
 
 
 def compare(scene: Scene, segments: Segments, picture: UInt8[np.ndarray, "h w 3"]) -> Comparison:
-    """Render ``scene`` from the picture's camera and score the likeness of the two.
+    """Render ``scene`` from the picture's camera and score its likeness to the picture.
 
     ``segments`` are the detections in the picture, whose resolution may differ.
 

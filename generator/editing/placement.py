@@ -30,7 +30,7 @@ from .request import as_planned
 
 
 def moved_to(scene: Scene, thing: Object, where: tuple[float, float] | None, turn: float) -> Scene:
-    """Return the scene with an object, and those it carries, moved on the table or turned."""
+    """Return the scene after moving or turning an object together with the objects it carries."""
     if where is None or thing.placement.on == TABLE:
         x, y, z = thing.pose.position
         position = np.array([*((x, y) if where is None else where), z])
@@ -51,7 +51,7 @@ def moved_to(scene: Scene, thing: Object, where: tuple[float, float] | None, tur
 
 
 def moved_by(scene: Scene, thing: Object, place: Placement) -> Scene:
-    """Return the scene with an object, and those it carries, moved to a given placement."""
+    """Return the scene after moving an object, together with those it carries, to a placement."""
     turn = place.yaw - thing.placement.yaw
     if place.on == TABLE == thing.placement.on:
         position = np.array([*place.translation[:2], thing.pose.position[2]])
@@ -103,7 +103,7 @@ def loads(scene: Scene, name: str) -> tuple[str, ...]:
 
 
 def set_down(scene: Scene, names: Sequence[str]) -> Scene:
-    """Set objects down, with those that they carry, at the nearest free positions.
+    """Set down objects, together with those they carry, at the nearest free positions.
 
     Raises:
         SceneError: There is no room for an object, or it does not fit into its vessel.
@@ -162,7 +162,7 @@ def place_by_relations(
 def beneath(
     scene: Scene, planned: PlannedObject, away: Sequence[str] = ()
 ) -> tuple[PlannedObject, ...]:
-    """Return the targets of an object's relations and the objects already on or in these."""
+    """Return the targets of an object's relations, and the objects already on or in the targets."""
     targets = {r.target: r for r in planned.relations if r.target != TABLE}
     found = []
     for thing in scene.objects:
@@ -181,7 +181,7 @@ def pose(thing: Object, placement: Placement) -> Object:
 
 
 def carried_to(scene: Scene, name: str, pose: Pose, turn: float) -> Scene:
-    """Move an object, and those it carries, to a pose that is turned by ``turn`` radians."""
+    """Move an object and those it carries to a pose, turning them by ``turn`` radians."""
     start = scene.object(name).pose.position
     above = {*loads(scene, name)}
 

@@ -24,17 +24,17 @@ def swap_in_plan(scene: Scene, old: str, new: PlannedObject) -> Scene:
 
 
 def add_to_plan(scene: Scene, new: PlannedObject) -> Scene:
-    """Return the scene with ``new``, and its relations to planned objects, added to its plan."""
+    """Return the scene with ``new`` in its plan, along with its relations to planned objects."""
     return _with(scene, [*planned_things(scene), new])
 
 
 def remove_from_plan(scene: Scene, names: Collection[str]) -> Scene:
-    """Return the scene with ``names``, and the relations to them, removed from its plan."""
+    """Return the scene with a plan that omits ``names`` and the relations to them."""
     return _with(scene, [o for o in planned_things(scene) if o.name not in names])
 
 
 def move_in_plan(scene: Scene, name: str, relations: Sequence[Relation]) -> Scene:
-    """Return the scene with an object's new relations, and no outdated ones to it, in its plan.
+    """Replace a moved object's relations in the plan, and drop outdated relations to the object.
 
     The moved object leaves its group.
     """
@@ -62,7 +62,7 @@ def _held(relation: Relation, name: str) -> bool:
 def _with(
     scene: Scene, objects: Sequence[PlannedObject], renamed: Mapping[str, str] | None = None
 ) -> Scene:
-    """Return the scene with only ``objects`` and the relations among them in its plan, if any.
+    """Return the scene; its plan, if any, has only ``objects`` and the relations among them.
 
     ``renamed`` maps members of groups to their new names, or to "" if they left the group.
     """

@@ -1,4 +1,4 @@
-"""Evaluation of scenes (Secs. 4.1 to 4.3): collisions, stability, similarity and true errors."""
+"""Evaluation of scenes (Secs. 4.1 to 4.3): collisions, stability, similarity, and ground truth."""
 
 from .external import load_external as load_external
 from .findings import DefectLimits as DefectLimits

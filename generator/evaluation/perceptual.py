@@ -80,7 +80,7 @@ def _load_filters() -> Callable[[Tensor], tuple[Tensor, ...]]:
 
 
 def _load_lite() -> Callable[[Tensor], tuple[Tensor, ...]]:
-    """Return the built-in detector's EfficientNet-Lite0, tuned on renders, at strides 16 and 32."""
+    """Return the detector's EfficientNet-Lite0, tuned on renders, with maps of stride 16 and 32."""
     from ..backends.embedded.eye.weights import load_weights
 
     encoder = load_weights().eye.encoder

@@ -114,7 +114,7 @@ def _errors(ours: Object, true: Object, width: float) -> PoseError:
 
 @dataclass(frozen=True, eq=False)
 class UsualSize:
-    """The usual extent (metres) for an object's noun, and how the object's extent compares with it.
+    """An object's usual extent (metres), by its noun, and how its actual extent compares.
 
     ``ratio`` is the ratio of the longest sides or the geometric mean over the axes, whichever is
     closer to 1, so that a closed laptop does not count as small.
@@ -127,7 +127,7 @@ class UsualSize:
 
 
 def usual_sizes(scene: Scene) -> tuple[UsualSize, ...]:
-    """Return the usual size of each object for which its noun or the plan determines one."""
+    """Return each object's usual size, if its noun or the plan determines one."""
     return tuple(
         UsualSize(thing.name, *known, _ratio(thing.scale, known[0]))
         for thing in scene.objects

@@ -237,7 +237,7 @@ def _quaternion(wxyz: Float[np.ndarray, "4"]) -> Any:
 def principal(
     inertia: Float[np.ndarray, "3 3"],
 ) -> tuple[Float[np.ndarray, "3"], Float[np.ndarray, "4"]]:
-    """Return the principal moments, and the rotation to the principal axes (unit wxyz)."""
+    """Return the principal moments of inertia, and the rotation to principal axes (unit wxyz)."""
     moments, axes = np.linalg.eigh(inertia)
     if np.linalg.det(axes) < 0:
         axes[:, 2] *= -1

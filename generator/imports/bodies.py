@@ -242,7 +242,7 @@ def _as_it_is(surface: ColoredSurface, body: ForeignBody) -> Mesh:
 
 
 def _solid(model: Model, extent: Float[np.ndarray, "3"], budget: CutBudget) -> tuple[Model, str]:
-    """Return the model, with its convex hull as its part if decomposition fails, and the reason."""
+    """Return the model, with its hull as a part if decomposition fails, and the reason, if any."""
     if model.parts:
         return model, ""
     try:
@@ -271,7 +271,7 @@ def _weigh(
 
 
 def _upright(rotation: Float[np.ndarray, "3 3"]) -> Float[np.ndarray, "3 3"]:
-    """Return the rotation of a body's axes that turns the one nearest to pointing up into +z."""
+    """Return the rotation that maps the body axis nearest to pointing up onto +z."""
     up = rotation[2]
     axis = int(np.abs(up).argmax())
     if axis == 2 and up[2] > 0:
@@ -284,7 +284,7 @@ def _upright(rotation: Float[np.ndarray, "3 3"]) -> Float[np.ndarray, "3 3"]:
 def _move(
     part: ConvexPart, turn: Float[np.ndarray, "3 3"], shift: Float[np.ndarray, "3"]
 ) -> ConvexPart:
-    """Return a rotated, translated part; it is a hull unless the rotation maps axes to axes."""
+    """Return a rotated and translated part, as a hull unless the rotation maps axes to axes."""
     vertices = part.vertices @ turn.T + shift
     if part.kind == "hull" or np.abs(np.abs(turn) - np.abs(turn).round()).max() > 1e-6:
         return ConvexPart(vertices)

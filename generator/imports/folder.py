@@ -106,7 +106,7 @@ def on_plain_table(foreign: ForeignScene) -> ForeignScene:
 
 
 def _name_of(entry: object, number: int) -> str:
-    """Return the name of the object that an entry of ``poses.json`` describes, for messages."""
+    """Return the name, for use in messages, of the object that a ``poses.json`` entry describes."""
     name = cast("dict[str, Any]", entry).get("name") if isinstance(entry, dict) else None
     return name[:100] if isinstance(name, str) and name else f"thing_{number + 1}"
 
@@ -203,7 +203,7 @@ class _FolderReader:
         return surface
 
     def _decode(self, path: PurePosixPath, what: str) -> ColoredSurface:
-        """Return a file's surface in its own frame; each file is read once, even if that fails."""
+        """Return a file's surface in its own frame; a file is read once, even if reading fails."""
         if path not in self._decoded:
             try:
                 self._decoded[path] = self._load(path, what)

@@ -130,7 +130,7 @@ class _Place:
 
 
 def _places(header: Header, scene: int, what: str) -> Sequence[_Place]:
-    """Return a scene's mesh nodes; bodies are nodes with a body's extras or else top mesh nodes.
+    """Return a scene's mesh nodes; bodies are the nodes so marked or, if none is, top mesh nodes.
 
     Raises:
         InputError: the nodes do not form a tree, or one of them is invalid.

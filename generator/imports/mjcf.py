@@ -1,4 +1,4 @@
-"""Reading of foreign MJCF: free bodies become objects, and one fixed body or geom the table.
+"""Reading of foreign MJCF: free bodies become objects; one fixed body or geom becomes the table.
 
 MuJoCo compiles the file; everything is taken from the compiled model at its initial state, so that
 defaults, frames, classes and fitted shapes have MuJoCo's meaning. A colliding mesh is its convex
@@ -99,7 +99,7 @@ def compile_foreign(gathered: GatheredModel, what: str) -> mujoco.MjModel:
 
 
 def _check_meshes(model: mujoco.MjModel) -> None:
-    """Check the number of triangles of meshes, counted once per geom that uses them."""
+    """Check the number of triangles of meshes; a mesh counts once for each geom that uses it."""
     shown = model.geom_dataid[model.geom_type == _MESH]
     _check_faces(int(model.mesh_facenum[shown].sum(dtype=np.int64)))
 
@@ -148,7 +148,7 @@ class _ModelReader:
         return self._body(called or name, geoms, np.zeros(3), np.eye(3), mass)
 
     def check_joints(self, refusals: Refusals) -> None:
-        """Refuse bodies with joints other than free ones; raise if no free body is left."""
+        """Refuse bodies with joints other than free joints; raise if no free body is left."""
         model = self.model
         other = [j for j in range(model.njnt) if int(model.jnt_bodyid[j]) not in self.free]
         tops = {int(model.body_rootid[model.jnt_bodyid[j]]) for j in other}
@@ -253,7 +253,7 @@ class _ModelReader:
         return {n: np.array(k) for n, k in groups.items() if self.solid[k].any()}
 
     def _box(self, geoms: Int[np.ndarray, "k"]) -> Float[np.ndarray, "2 3"]:
-        """Return the lower and upper corners of the colliding geoms' box in the world frame."""
+        """Return the lower and upper corners of the collision geoms' bounding box in world axes."""
         points = [self._part(int(g), np.zeros(3), np.eye(3)).bounds for g in geoms if self.solid[g]]
         return np.stack([np.min(points, axis=0)[0], np.max(points, axis=0)[1]])
 
@@ -330,7 +330,7 @@ class _ModelReader:
         position: Float[np.ndarray, "3"],
         rotation: Float[np.ndarray, "3 3"],
     ) -> ColoredSurface:
-        """Return the joint surface of geoms in the frame with the given pose."""
+        """Return the combined surface of several geoms in the frame with the given pose."""
         pictures: list[UInt8[np.ndarray, "h w 3"]] = []
         known: dict[int, int] = {}
         rows: list[tuple[Any, ...]] = []
@@ -368,7 +368,7 @@ class _ModelReader:
     def _mesh(
         self, geom: int
     ) -> tuple[Float[np.ndarray, "n 3"], Int[np.ndarray, "m 3"], Float[np.ndarray, "n 2"] | None]:
-        """Return a geom's mesh in the geom's frame, and texture coordinates with v upwards."""
+        """Return a geom's mesh in the geom's frame, and texture coordinates with v pointing up."""
         mesh = int(self.model.geom_dataid[geom])
         if mesh not in self._meshes:
             self._meshes[mesh] = self._read_mesh(mesh)

@@ -1,4 +1,4 @@
-"""Free bodies of a gathered MJCF, compiled separately to find those that MuJoCo rejects."""
+"""Free bodies of a gathered MJCF model, compiled separately to find those that MuJoCo rejects."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def free_bodies(gathered: GatheredModel) -> list[str]:
 
 
 def keep_bodies(gathered: GatheredModel, which: Sequence[int]) -> GatheredModel:
-    """Return the model with only the free bodies ``which`` (by index), without unused assets."""
+    """Return the model with only the free bodies at indices ``which`` and without unused assets."""
     root = ET.fromstring(gathered.xml)
     for k, (world, body) in enumerate(_free_elements(root)):
         if k not in which:

@@ -1,4 +1,4 @@
-"""Limits on the memory that MuJoCo allocates for a foreign MJCF, checked before it is compiled.
+"""Limits on the memory that MuJoCo allocates for a foreign MJCF model, checked before compilation.
 
 The limits of the child process apply to everything that is not counted here. The checks here give a
 reason and a fix.
@@ -53,7 +53,7 @@ def merge_textures(root: ET.Element) -> None:
 
 
 def check_copies(root: ET.Element, most_elements: int) -> None:
-    """Check the number of geoms and elements of a model after expanding its replicates.
+    """Check the numbers of geoms and elements that a model has once ``replicate`` is expanded.
 
     Raises:
         InputError: there are more than ``MOST_GEOMS`` geoms or ``most_elements``.

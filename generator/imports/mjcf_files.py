@@ -1,4 +1,4 @@
-"""Collection of a foreign MJCF's files, limited in size and to one folder, before MuJoCo reads any.
+"""Collection of the files of a foreign MJCF model, within limits, before MuJoCo reads any of them.
 
 Includes are expanded in place; files are renamed and passed to MuJoCo in memory, so that it opens
 none itself. Elements that could run code, create files or grow without bounds are rejected.
@@ -151,7 +151,7 @@ class _Reader:
         return self._names[path]
 
     def _find(self, given: str, *places: PurePosixPath) -> PurePosixPath:
-        """Return a referenced file's path in the first folder that contains it, or in the last.
+        """Return a referenced file's path in the first folder that contains it, or in the last one.
 
         For an include, the folders are the model's and the referring file's, in MuJoCo's order.
         """

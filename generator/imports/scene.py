@@ -83,7 +83,7 @@ class _Shapes:
         self._models: set[Hashable] = set()
 
     def check(self, *lists: Sequence[ConvexPart]) -> tuple[int, int]:
-        """Return what the numbers of parts and points would be after adding lists of parts.
+        """Return the total numbers of parts and points after adding the given lists of parts.
 
         Raises:
             InputError: they exceed the limits of a bundle.
@@ -194,7 +194,7 @@ def _free_names(names: Sequence[str]) -> list[str]:
 
 
 def _mark_inside(scene: Scene) -> Scene:
-    """Return the scene with objects below the rim of a container marked as inside it."""
+    """Return the scene, with each object below the rim of its container marked as inside it."""
     things = {o.name: o for o in scene.objects}
     marked = []
     for thing in scene.objects:

@@ -11,7 +11,7 @@ from typing import Any
 def lazy_names(
     package: str, homes: Mapping[str, str]
 ) -> tuple[Callable[[str], Any], Callable[[], list[str]]]:
-    """Return ``__getattr__`` and ``__dir__`` of a package with lazily imported names.
+    """Return ``__getattr__`` and ``__dir__`` for a package whose names are imported lazily.
 
     Args:
         package: the package's ``__name__``.

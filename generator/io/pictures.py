@@ -1,4 +1,4 @@
-"""Encode images as PNG and write them to files."""
+"""Encoding of images as PNG, and writing of PNG files."""
 
 from __future__ import annotations
 

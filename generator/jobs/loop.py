@@ -1,4 +1,4 @@
-"""Dry runs and the main loop of a batch, which survives worker crashes and concurrent batches."""
+"""Dry runs of a batch, and its main loop, which survives worker crashes and concurrent batches."""
 
 from __future__ import annotations
 

@@ -57,7 +57,7 @@ class Maker(Protocol):
 
 
 def jobs_of(prompts: Iterable[str | Job], seed: int = 0, variants: int = 1) -> tuple[Job, ...]:
-    """Return jobs with ``variants`` consecutive seeds per prompt, from ``seed`` or the job's own.
+    """Return jobs with ``variants`` consecutive seeds per prompt; a job's seed overrides ``seed``.
 
     Duplicates are removed.
 
@@ -83,7 +83,7 @@ def jobs_of(prompts: Iterable[str | Job], seed: int = 0, variants: int = 1) -> t
 
 
 def _count_seeds(firsts: Sequence[int], variants: int) -> int:
-    """Count the distinct seeds in runs of ``variants`` that start at the sorted ``firsts``."""
+    """Count the distinct seeds in the runs of ``variants`` seeds that start at ``firsts``."""
     steps = (min(b - a, variants) for a, b in itertools.pairwise(firsts))
     return sum(steps) + variants
 

@@ -43,7 +43,7 @@ PLACE = ".batch"
 
 
 def key_of(job: Job, make: Maker) -> str:
-    """Return the name of a job's record, which also depends on a readable picture's content."""
+    """Return the name of a job's record; it depends on the content of a picture if readable."""
     from ..method.reference import fetch, is_picture_name
 
     picture = None
@@ -163,7 +163,7 @@ def _put_in_place(job: Job, folder: Path, name: str) -> None:
 
 
 def _clear(place: Path, name: str) -> None:
-    """Remove what an earlier attempt left; if it is a link, remove only the link itself."""
+    """Remove what an earlier attempt left behind; if it is a link, remove only the link itself."""
     own = place / name
     if own.is_symlink() or own.is_file():
         remove_file(place, name)

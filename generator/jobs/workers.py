@@ -1,4 +1,4 @@
-"""The worker pool of batches, scene servers, recording and certification.
+"""The worker pool used by batches, scene servers, recording and certification.
 
 A worker is a separate Python process (``worker``), driven by a thread of this one. It is neither a
 ``multiprocessing`` process nor part of a ``ProcessPoolExecutor``: those run the user's script

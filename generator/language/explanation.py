@@ -43,7 +43,7 @@ class Explained:
 
 
 def explain(text: str, seed: int = 0) -> tuple[Explained, ...]:
-    """Explain a text's phrases in order, followed by the plan's warnings and the unused phrases.
+    """Explain a text's phrases in order; the plan's warnings and the unused phrases follow.
 
     Raises:
         InputError: The text cannot be planned.

@@ -56,7 +56,7 @@ def tokens(text: str) -> list[str]:
 
 
 def singular(word: str) -> str:
-    """Return the singular of an English noun by rules ("boxes" becomes "box")."""
+    """Apply rules to convert an English noun to the singular ("boxes" becomes "box")."""
     if word in IRREGULAR:
         return IRREGULAR[word]
     if len(word) < 4 or not word.endswith("s") or word.endswith(("ss", "us", "is")):

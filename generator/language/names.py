@@ -1,4 +1,4 @@
-"""Names of detected objects, from the detector's guesses or a text's words and object sizes."""
+"""Names of detected objects, from their sizes and the detector's guesses or the text's words."""
 
 from __future__ import annotations
 

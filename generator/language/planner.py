@@ -1,4 +1,4 @@
-"""From text to plan (Sec. 3, Fig. 20) by rules and data: English grammar, synonyms and themes."""
+"""Rule-based planning of scenes from texts (Sec. 3, Fig. 20) with grammar, synonyms and themes."""
 
 from __future__ import annotations
 

@@ -123,7 +123,7 @@ def supply(
     needs: Sequence[Sequence[str]],
     rng: np.random.Generator,
 ) -> list[PlannedObject]:
-    """Add one object for each of ``needs``, drawn from its options that are not yet present.
+    """Add one object for each need, drawn from the need's options that are not yet present.
 
     Objects of the theme are preferred. If all objects of a need are already present, nothing is
     added.

@@ -1,4 +1,4 @@
-"""Long objects in a vessel, each leaning in its own direction without intersections.
+"""Long objects in a vessel, each leaning in its own direction without intersecting the others.
 
 As with flowers in a vase, each foot is on the far side of the vessel's floor and each stem leans on
 the rim. Lines twisted about the axis in this way pass each other.
@@ -194,7 +194,7 @@ def _ring(number: int, count: int, stem: Stem, cavity: Cavity) -> _Ring:
 def _proposals(
     stem: Stem, cavity: Cavity, ring: _Ring, *, straight: bool
 ) -> tuple[Float[np.ndarray, "n 3"], Float[np.ndarray, "n 3"], Float[np.ndarray, "n"]]:
-    """Return candidate points on the floor, where their axes cross the rim, and their costs."""
+    """Return candidate foot positions, the points where the axes cross the rim, and the costs."""
     steps = (0.15, 0.3, 0.5, 0.75, 1.0, 1.3, 1.6, 2.0, 2.4, 2.8, 3.1)
     spread = np.array([0.0, *(s * v for v in steps for s in (1, -1))])
     twists = np.array([ring.twist] if ring.count == 1 else

@@ -51,7 +51,7 @@ class Footprint:
         return (self.outline @ normals.T).max(0)
 
     def covering(self, other: Footprint) -> Footprint:
-        """Return the joint footprint of this object and another one centred on it."""
+        """Return the combined footprint of this object and another one centred on it."""
         outline = convex_outline(np.concatenate([self.outline, other.outline]))
         return Footprint(
             outline, np.maximum(self.reach, other.reach), self.height + other.height, self.yaw

@@ -30,7 +30,7 @@ class Pile:
 
 
 def pile_heap(shapes: Sequence[Footprint]) -> Pile | None:
-    """Return the positions in a heap: a dense layer, and one in four objects lying on three others.
+    """Return the positions in a heap: a dense layer, with a quarter of the objects on top of it.
 
     Returns None if the objects are too long for a lattice.
     """

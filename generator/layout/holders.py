@@ -221,7 +221,7 @@ def leans(model: Model, cavity: Cavity) -> bool:
 def file_in_box(
     vessel: Model, flat: Mapping[str, Model], cavity: Cavity
 ) -> tuple[Model, dict[str, Model]] | None:
-    """Put flat objects on edge in a box; return it and their models, or None if it is too small."""
+    """Put flat objects on edge in a box; return all the models, or None if they do not fit."""
     turned = file_away(flat, cavity)
     if turned is None:
         return None

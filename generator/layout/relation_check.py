@@ -1,4 +1,4 @@
-"""Check of whether the relations in a plan hold in the settled scene, and by what margin.
+"""Evaluation of a plan's relations in the settled scene: whether they hold, and by what margin.
 
 Supports are determined from contacts; containment and positions from the shapes of the objects at
 rest. The intended placements are not used. ``foresee`` evaluates placements before settling.
@@ -92,7 +92,7 @@ def observe(scene: Scene) -> Rest:
 
 
 def foresee(placements: Sequence[Placement], models: Mapping[str, Model], table: Model) -> Rest:
-    """Return the positions and contacts if each object stays on its intended support."""
+    """Return the positions and contacts that result if objects stay on their intended supports."""
     things = {
         p.name: _rest(models[p.name], p.scale, Pose(p.translation, yaw_quaternion(p.yaw)))
         for p in placements
@@ -188,7 +188,7 @@ def _rest(model: Model, scale: Float[np.ndarray, "3"], pose: Pose) -> _Thing:
 def _margin(
     planned: PlannedObject, relation: Relation, rest: Rest, turns: dict[str, tuple[int, float]]
 ) -> float:
-    """Return a relation's margin in metres; relations with 0 or less do not hold."""
+    """Return a relation's margin in metres; a relation with a margin of 0 or less does not hold."""
     own = rest.things[planned.name]
     if relation.target == TABLE:
         return _table_margin(own, relation, rest, table_sides(planned.relations))

@@ -143,7 +143,7 @@ def foreign_model(mesh: Mesh, instance: Instance, size: SizePrior) -> Model:
 
 
 def foreign_physics(mesh: Mesh, extent: Float[np.ndarray, "3"], kind: Category | None) -> Physics:
-    """Return properties that give an imported mesh of the usual size the mass of its category."""
+    """Return physical properties that give a mesh of the usual size the mass of its category."""
     if kind is None:
         return Physics(density=500.0, friction=0.6)
     share = volume(*welded_shape(mesh.vertices, mesh.faces)) / float(np.prod(extent)) or _FILLED

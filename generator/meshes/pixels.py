@@ -75,7 +75,7 @@ def distance_to(mask: Mask, points: Float[np.ndarray, "n 2"]) -> Float[np.ndarra
 
 
 def main_parts(mask: Mask, share: float = 0.1) -> Mask:
-    """Return the largest connected part of a mask, and others of at least ``share`` of its area."""
+    """Return the parts of a mask that have at least ``share`` of the area of the largest part."""
     _, numbers, stats, _ = cv2.connectedComponentsWithStats(mask.astype(np.uint8), connectivity=8)
     areas = stats[1:, cv2.CC_STAT_AREA]
     if not len(areas):

@@ -1,4 +1,4 @@
-"""Repair of foreign meshes with loose, duplicate or inside-out triangles; sheets are thickened.
+"""Repair of foreign meshes: loose, duplicate and inside-out triangles, holes, and thin sheets.
 
 The steps are as follows: coincident vertices are merged; slivers, duplicate faces, crumbs and fins
 are removed (``clean``); faces are turned outwards; small holes are closed (``fill_holes``). A mesh
@@ -294,7 +294,7 @@ def thicken(surface: ColoredSurface) -> tuple[ColoredSurface, float]:
 
 
 def _normal(points: Float[np.ndarray, "n 3"]) -> Float[np.ndarray, "3"]:
-    """Return the direction of least extent, or an axis if it is nearly parallel to one."""
+    """Return the direction of least extent, or the axis to which it is nearly parallel, if any."""
     normal = np.linalg.eigh(points.T @ points)[1][:, 0]
     axis = int(np.abs(normal).argmax())
     return np.eye(3)[axis] if abs(normal[axis]) > 1 - 1e-6 else normal

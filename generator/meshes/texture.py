@@ -53,7 +53,7 @@ def painted_faces(surface: ColoredSurface, size: int) -> Mesh:
 
 
 def painted_shape(vertices: Vertices, faces: Faces, surface: ColoredSurface, size: int) -> Mesh:
-    """Return a shape with other triangles, textured with the nearest colours of ``surface``."""
+    """Return a shape textured with the nearest colours of ``surface``, whose faces may differ."""
     atlas = unwrap(vertices, faces, size)
     nearby, normals, colors = Nearby.of(surface), face_normals(vertices, faces), []
     for part in _chunks(atlas):

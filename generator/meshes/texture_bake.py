@@ -54,7 +54,7 @@ class SurfacePoints:
 
 
 def opaque_colors(crop: UInt8[np.ndarray, "h w 4"]) -> tuple[Image, Bool[np.ndarray, "h w"]]:
-    """Return the crop's colours, extended over and beyond its soft edge, and its mask."""
+    """Return the crop's colours, extended over and beyond its translucent edge, and its mask."""
     mask = crop[..., 3] > 127
     core = cv2.erode(mask.astype(np.uint8), np.ones((3, 3), np.uint8), borderValue=0) > 0
     core = core if core.sum() > 16 else mask

@@ -51,7 +51,7 @@ def _charts(vertices: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray, np.nda
 
 
 def _pack(sizes: Float[np.ndarray, "c 2"], size: int) -> tuple[float, Float[np.ndarray, "c 2"]]:
-    """Return the largest scale for packing rectangles in rows into a square, and their corners."""
+    """Return the largest scale at which rectangles fit into a square in rows, and their corners."""
     order = np.argsort(-sizes[:, 1], kind="stable")
     # If there are many charts, the gutters alone may exceed the texture.
     gutter = min(_GUTTER, size / (4.0 * np.ceil(np.sqrt(len(sizes)))))
@@ -73,7 +73,7 @@ def _pack(sizes: Float[np.ndarray, "c 2"], size: int) -> tuple[float, Float[np.n
 
 
 def unwrap(vertices: Float[np.ndarray, "n 3"], faces: Int[np.ndarray, "m 3"], size: int) -> Atlas:
-    """Unwrap a mesh; connected faces with similar directions form a chart, projected along it.
+    """Unwrap a mesh: connected faces with similar directions form a chart, projected on a plane.
 
     ``vertices`` are in true proportions; ``size`` is the texture's side in texels.
     """

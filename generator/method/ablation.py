@@ -40,7 +40,7 @@ def ask_rotations(
     view: View,
     guesser: PoseGuesser,
 ) -> dict[str, Rotation]:
-    """Return the yaw that the reasoner gives each instance except the table; there is no loss.
+    """Return the yaw that the reasoner gives each instance except the table; the losses are NaN.
 
     Raises:
         BackendError: an answer is missing or is not a finite angle.

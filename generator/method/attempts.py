@@ -31,7 +31,7 @@ class Candidate:
 
 @dataclass(frozen=True, eq=False)
 class Attempts:
-    """The scene that passed the gate with most relations met, or None, and the failed scenes."""
+    """The scene that passed its gate with the most relations met, or None, and failed scenes."""
 
     best: Scene | None
     failed: tuple[Scene, ...]

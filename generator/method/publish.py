@@ -325,7 +325,7 @@ def _round(before: float, after: float) -> tuple[float, float]:
 
 
 def _with_report(scene: Scene, **entries: Any) -> Scene:
-    """Return the scene with these entries of its report replaced, if it has a report."""
+    """Return the scene with the given entries of its report replaced, if it has a report."""
     if scene.report is None:
         return scene
     return scene.replace(report=replace(scene.report, **entries))

@@ -1,4 +1,4 @@
-"""Timing of the pipeline's stages; bundles omit the times, so that they are reproducible."""
+"""Timing of the pipeline's stages; bundles, which must be reproducible, omit the times."""
 
 from __future__ import annotations
 

@@ -263,7 +263,7 @@ def check_names(category: Category) -> CheckResult:
 
 @cache
 def _claims() -> Mapping[str, tuple[tuple[str, bool], ...]]:
-    """Map each name to pairs of a category's key and whether the name is the category's noun."""
+    """Map each name to pairs: a category's key, and whether the name is that category's noun."""
     claims: dict[str, tuple[tuple[str, bool], ...]] = {}
     for key, category in CATEGORIES.items():
         for name in {category.noun, *category.aliases}:

@@ -44,7 +44,7 @@ def portrait(model: Model, view: View = VIEW, side: int = 160) -> Picture:
 
 
 def draw_looks(category: Category, seed: int, side: int = 240) -> Picture:
-    """Draw four variants of a category with their sizes, and the first with dimension lines."""
+    """Draw four variants of a category with their sizes, then the first with dimension lines."""
     models = [build_variant(category, seed + k) for k in range(LOOKS)]
     cells = [portrait(model, side=side) for model in models]
     captions = [f"seed {seed + k}: {size_text(m.size)}" for k, m in enumerate(models)]
@@ -85,7 +85,7 @@ def _rule(pen: ImageDraw.ImageDraw, start: tuple[float, float], end: tuple[float
 
 
 def _frame(model: Model, view: View, side: int, room: float = 1.08) -> Camera:
-    """Return a camera that shows the whole box of a model, with a margin around it."""
+    """Return a camera that shows a model's whole bounding box, with a margin around it."""
     distance = room * _DIAGONAL / 2 / np.sin(view.fov / 2)
     return Camera.looking_at(_middle(model), view, distance, side, side)
 

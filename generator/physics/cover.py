@@ -1,4 +1,4 @@
-"""Growth of convex parts until they contain the visual mesh.
+"""Extension of convex parts until they contain the visual mesh.
 
 A shape's convex parts are often coarser than its mesh: a ring of wedges has chords where the wall
 is round, and a hull has few vertices. Objects whose meshes extend beyond their parts appear to sink
@@ -114,7 +114,7 @@ def _distances(parts: Sequence[ConvexPart], points: Points) -> Float[np.ndarray,
 def _surface(
     places: Vertices, faces: Faces
 ) -> tuple[Float[np.ndarray, "k 3"], Float[np.ndarray, "k 3"], Int[np.ndarray, "e"]]:
-    """Return the vertices and points along long edges, all normals, and each edge point's face."""
+    """Return the vertices plus points on long edges, all normals, and the edge points' faces."""
     # Parts may contain both ends of an edge but not its middle.
     turn = scaled_normals(places[faces])
     normals = np.zeros_like(places)
@@ -246,7 +246,7 @@ def _hull(part: ConvexPart) -> tuple[Int[np.ndarray, "c"], Float[np.ndarray, "k 
 
 
 def _grow(part: ConvexPart, lacking: Points) -> ConvexPart:
-    """Return the part, extended by just enough of the points ``lacking`` to contain them all."""
+    """Return the part, extended by a few of the points ``lacking`` so that it contains them all."""
     extreme, planes = _hull(part)
     corners, left = part.vertices[extreme], lacking
     for k in range(_ROUNDS):

@@ -191,7 +191,7 @@ def _overlaps(vertices: Vertices, faces: Faces) -> bool:
 
 
 def _pieces_meet(vertices: Vertices, faces: Faces) -> bool:
-    """Return whether the boxes of two components intersect, or True if there are too many."""
+    """Return whether any two components' bounding boxes meet, or True if there are too many."""
     piece = pieces(faces, len(vertices))[faces[:, 0]]
     names, piece = np.unique(piece, return_inverse=True)
     if len(names) > _MOST_PIECES:

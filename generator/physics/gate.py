@@ -166,7 +166,7 @@ def _watch(
 def _speeds_up(
     steps: Sequence[Motion], gone: Motion, left: int, bounds: PerKind, small: PerKind
 ) -> Bool[np.ndarray, "n 2"]:
-    """Return whether motion exceeds the bounds if it keeps growing as in the last two samples."""
+    """Return whether motion would exceed the bounds if it grew as in the last two samples."""
     if len(steps) < 2:
         return np.zeros(gone.shape, bool)
     growth = np.clip(steps[-1] / np.maximum(steps[-2], 1e-12), 1.0001, 10.0)

@@ -73,7 +73,7 @@ def document(
     paths: Mapping[Mesh, tuple[str, str]] = MappingProxyType({}),
     fixed: Sequence[Object] = (),
 ) -> Document:
-    """Return the MJCF of a scene, which without ``visuals`` contains only the physics.
+    """Return the MJCF of a scene; without ``visuals``, it contains only the physics.
 
     ``paths`` are the paths of existing meshes and textures, to which the document only refers.
     ``fixed`` objects are added before the scene's own, without joints.
@@ -257,7 +257,7 @@ class _Assets:
         return name
 
     def draw(self, body: ET.Element, mesh: Mesh, scale: Float[np.ndarray, "3"]) -> None:
-        """Add the textured mesh as a geom without contacts."""
+        """Add the textured mesh as a visual geom, which makes no contacts."""
         if not self._visuals:
             return
         if mesh not in self._paths:

@@ -133,7 +133,7 @@ def highest(thing: Object) -> float:
 
 
 def base(thing: Object, pose: Pose) -> Float[np.ndarray, "n 2"]:
-    """Return the world x and y of vertices in an object's lowest tenth, then its centre of mass."""
+    """Return the world (x, y) of vertices in an object's lowest tenth and of its centre of mass."""
     points = np.concatenate([part.vertices for part in thing.parts])
     cut = points[:, 2].min() + 0.1 * np.ptp(points[:, 2])
     points = np.concatenate([points[points[:, 2] <= cut], thing.com[None]])

@@ -72,7 +72,7 @@ def _calm(
 
 
 def has_toppled(thing: Object, pose: Pose, limit: float) -> bool:
-    """Return whether an object leans by over ``limit`` (radians) and its height has changed.
+    """Return whether an object leans by more than ``limit`` (radians) and its height has changed.
 
     A pencil or a die that rolls onto its next side keeps its height and has not toppled. An
     upside-down object that is taller than wide has toppled.

@@ -96,7 +96,7 @@ class Simulation:
 
     @property
     def positions(self) -> Float[np.ndarray, "n 3"]:
-        """Centres of the objects' boxes in metres, as a writable view."""
+        """Centres of the objects' bounding boxes in metres, as a writable view."""
         return self.data.qpos.reshape(-1, 7)[:, :3]
 
     @property
@@ -126,7 +126,7 @@ class Simulation:
         self.data.qpos[:] = np.concatenate(rows) if rows else []
 
     def contacts(self, margin: float = 0.0) -> Contacts:
-        """Return the contacts and all pairs at most ``margin`` metres apart, with exact depths.
+        """Return the contacts and all pairs at most ``margin`` metres apart, with signed distances.
 
         Only objects count: the table's contact with the floor is omitted.
 

@@ -26,7 +26,7 @@ _LOG_WAIT = 5.0  # seconds; limits the wait in a process forked while a thread h
 
 
 def write_no_log() -> None:
-    """Prevent this process from writing MuJoCo's log file to the working directory from now on.
+    """Permanently stop this process from writing MuJoCo's log file to the working directory.
 
     Warnings still go to standard error and to the caller's handler. If the caller has named a log
     file, it stays in use. Unlike a warning handler, this function does not affect threads that

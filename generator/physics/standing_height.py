@@ -162,7 +162,7 @@ def _lower(
     top: float,
     fall: float,
 ) -> float | None:
-    """Lower an object at ``xy`` to contact; return its height, or None if ``top`` is blocked."""
+    """Lower an object at ``xy`` until contact; return its height, or None if ``top`` is blocked."""
 
     def free(z: float) -> bool:
         simulation.positions[index] = [*xy, z]

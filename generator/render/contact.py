@@ -44,7 +44,7 @@ class Body:
 def height_field(
     body: Body, low: Float[np.ndarray, "2"], cell: float, shape: tuple[int, int], top: bool
 ) -> Float[np.ndarray, "rows columns"]:
-    """Return the heights of the body's upper (``top``) or lower surface on a grid, or NaN off it.
+    """Return heights of the body's upper (``top``) or lower surface on a grid, with NaN elsewhere.
 
     Cell (r, c) is the vertical column at x = low_x + (c + 1/2) cell, y = low_y + (r + 1/2) cell.
     """

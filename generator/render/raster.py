@@ -137,7 +137,7 @@ def _colors(
 
 
 def _at_once(work: Callable[..., None], pieces: Sequence[tuple[Any, ...]]) -> None:
-    """Call ``work(*piece)`` for each piece, whose last item is an array of pixels, in parallel.
+    """Call ``work(*piece)`` in parallel for each piece, whose last item is an array of pixels.
 
     If there are few pixels, starting a pool would cost more time than it saves.
     """

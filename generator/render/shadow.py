@@ -54,7 +54,7 @@ class Shadow:
         self._fill(nearest(corners, _SIZE, _SIZE)[1].reshape(_SIZE, _SIZE))
 
     def _fill(self, depth_map: Float[np.ndarray, "h w"]) -> None:
-        """Store the map with an empty border, and its extremes in each tile and around it."""
+        """Store the map with an empty border, and the extremes of each tile and its neighbours."""
         around = -(-(int(np.ceil(self._reach)) + 1) // _TILE)  # reach of a sample, in tiles
         self._border = _TILE * (2 * around + 2)
         padded = np.pad(depth_map, self._border, constant_values=-np.inf)

@@ -280,7 +280,7 @@ def failure_text(words: str, what: str, too_large: str) -> str:
 
 
 def memory_text(memory: int) -> str:
-    """Return the message that an input exceeds ``memory`` bytes or an inherited memory limit."""
+    """Return the message for inputs that exceed ``memory`` bytes or an inherited memory limit."""
     import resource
 
     return _excess(
@@ -298,7 +298,7 @@ def _time_text(seconds: str) -> str:
 
 
 def _excess(limit: str, kind: int, inherited: Callable[[int], str]) -> str:
-    """Return the message that an input exceeds a limit and, if there is one, an inherited limit."""
+    """Return the message for an input that exceeds a limit; it also names any inherited limit."""
     import resource
 
     soft = resource.getrlimit(kind)[0]

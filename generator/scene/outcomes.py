@@ -23,7 +23,7 @@ def held_relations(scene: Scene, name: str) -> tuple[Relation, ...]:
 
 
 def hold_supports(scene: Scene) -> Scene:
-    """Return the scene, with the table as the support of objects that missed their planned one.
+    """Return the scene, with the table as support for objects that missed their planned support.
 
     An object that does not rest on or in the support named in its placement is assigned to the
     table. If nothing changes, the same scene is returned.

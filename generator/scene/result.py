@@ -63,7 +63,7 @@ class Rotation:
 
 @dataclass(frozen=True)
 class Stacking:
-    """Support of an instance (Fig. 25): ``on`` names it or is "table"; ``inside`` means within it.
+    """Support of an instance (Fig. 25): ``on`` is a name or "table"; ``inside`` means not on top.
 
     An ``order`` of 1 means on the table; a supported object has a higher order than its support.
     """

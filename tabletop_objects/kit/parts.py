@@ -115,7 +115,7 @@ def ring_parts(
 def bowl_parts(
     outer: Float[np.ndarray, "n 2"], inner: Float[np.ndarray, "n 2"], wedges: int = 14
 ) -> tuple[ConvexPart, ...]:
-    """Return the wall of a round bowl as two rings of wedges that leave the inside free.
+    """Return the wall of a round bowl as two rings of wedges that leave the inside empty.
 
     ``outer`` and ``inner`` are (radius, z) points from the bottom up, the same number on each side.
     """

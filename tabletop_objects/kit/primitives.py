@@ -62,7 +62,7 @@ def packet(outline: np.ndarray, levels: list[tuple[float, float, float]]) -> Sol
 
 
 def pillow(x: np.ndarray, y: np.ndarray, lift: np.ndarray) -> Solid:
-    """Return a closed cushion over a grid, which bulges by ``lift`` above and below."""
+    """Return a closed cushion that is built over a grid and bulges by ``lift`` above and below."""
     n = len(x)
     index = np.arange(n * n).reshape(n, n)
     a, b, c, d = index[:-1, :-1], index[:-1, 1:], index[1:, 1:], index[1:, :-1]
@@ -78,7 +78,7 @@ def pillow(x: np.ndarray, y: np.ndarray, lift: np.ndarray) -> Solid:
 
 
 def spread(points: Float[np.ndarray, "n m 3"], thick: float) -> Solid:
-    """Return a sheet ``thick`` high over a grid of points, textured upright as seen from above.
+    """Return a sheet ``thick`` high over a grid of points, with its texture upright from above.
 
     ``points`` form the underside: rows run from front to back, columns from left to right.
     """
@@ -122,7 +122,7 @@ def standing_plate(outline: Any, thick: float, y: float = 0.0, bevel: float = 0.
 
 
 def pad(x: float, y: float, h: float, radius: float, *, soft: float = 0.3, steps: int = 5) -> Solid:
-    """Return a slab with soft edges on z = 0, for folded cloth, cushions, pouches and soap."""
+    """Return a slab with rounded edges on z = 0, for folded cloth, cushions, pouches and soap."""
     outline = rectangle(x, y, radius, steps)
     edge = soft * h
     levels = [(edge, 0.0), (0.3 * edge, 0.15 * h), (0, 0.5 * h), (0.3 * edge, 0.85 * h), (edge, h)]
@@ -218,7 +218,7 @@ def at_box(x: float, y: float, z: float, at: Sequence[float] = (0, 0, 0)) -> Sol
 
 
 def at_block(x: float, y: float, z: float, r: float, at: Sequence[float] = (0, 0, 0)) -> Solid:
-    """Return a box with rounded vertical edges and soft rims; ``at`` is its bottom centre."""
+    """Return a box with rounded vertical edges and chamfered rims; ``at`` is its bottom centre."""
     return block(x, y, z, r, min(0.3 * r, 0.2 * z)).move(*at)
 
 

@@ -30,7 +30,7 @@ def fill(image: Canvas, x: float, y: float, width: float, height: float, color: 
 
 
 def disc(image: Canvas, x: float, y: float, radius: float, color: RGB, inner: float = 0.0) -> None:
-    """Fill a disc, or a ring with inner radius ``inner``, in fractions of the image's height."""
+    """Fill a disc, or a ring if ``inner`` is given; radii are fractions of the image's height."""
     h, w = image.shape[:2]
     rows, columns = np.mgrid[0:h, 0:w] + 0.5
     away = np.hypot(columns - x * w, rows - y * h) / h
@@ -303,7 +303,7 @@ def _call(image: Canvas, rng: np.random.Generator) -> None:
 
 
 def apps(rng: np.random.Generator, width: int = 96, height: int = 192) -> Tile:
-    """Return a phone or tablet screen: off, locked, or with icons, a chat, player, map or feed."""
+    """Return a phone or tablet screen: off, locked, or with icons, a chat, a player or a map."""
     kind = int(rng.integers(7))
     if kind == 0:
         return _off(width, height)
@@ -380,7 +380,7 @@ FRONT = (0.3, 0.7)
 def label(
     rng: np.random.Generator, title: str, color: RGB, ground: RGB, *, width: int = 256
 ) -> Tile:
-    """Return a wrap-round label with a title in front, and small print and a barcode behind."""
+    """Return a wrap-round label: a title in front, and small print and a barcode at the back."""
     image = canvas(width, 128, ground)
     kind = int(rng.integers(6))
     front = image[:, int(FRONT[0] * width) : int(FRONT[1] * width)]

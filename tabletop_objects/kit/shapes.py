@@ -95,7 +95,7 @@ def _press(solid: Solid) -> Solid:
 
 
 def mesh_of(made: Shape) -> Mesh:
-    """Merge a shape's pieces into one mesh with one texture atlas, in metres."""
+    """Merge a shape's pieces into one mesh, in metres, with one texture atlas."""
     tiles: list[Tile] = []
     numbers: dict[tuple[tuple[int, ...], bytes], int] = {}
     which = []

@@ -59,15 +59,15 @@ class Solid:
         return float(np.linalg.norm(np.cross(b - a, c - a), axis=1).sum()) / 2
 
     def move(self, x: float = 0.0, y: float = 0.0, z: float = 0.0) -> Solid:
-        """Return the solid translated."""
+        """Return a translated copy of the solid."""
         return Solid(self.vertices + np.array([x, y, z]), self.faces, self.uv)
 
     def scale(self, x: float, y: float, z: float) -> Solid:
-        """Return the solid scaled along the axes by positive factors."""
+        """Return a copy of the solid, scaled along the axes by positive factors."""
         return Solid(self.vertices * np.array([x, y, z]), self.faces, self.uv)
 
     def turn(self, axis: int, angle: float) -> Solid:
-        """Return the solid rotated about the x (0), y (1) or z (2) axis through the origin."""
+        """Rotate a copy of the solid about the x (0), y (1) or z (2) axis through the origin."""
         c, s = float(np.cos(angle)), float(np.sin(angle))
         i, j = (axis + 1) % 3, (axis + 2) % 3
         vertices = self.vertices.copy()
@@ -76,14 +76,14 @@ class Solid:
         return Solid(vertices, self.faces, self.uv)
 
     def bend(self, warp: Callable[[Float[np.ndarray, "n 3"]], Float[np.ndarray, "n 3"]]) -> Solid:
-        """Return the solid with its vertices moved by ``warp``.
+        """Return a copy of the solid with its vertices moved by ``warp``.
 
         The result must not intersect itself.
         """
         return Solid(warp(self.vertices.copy()), self.faces, self.uv)
 
     def paint(self, low: tuple[float, float], high: tuple[float, float]) -> Solid:
-        """Return the solid with its texture restricted to a rectangle from ``low`` to ``high``."""
+        """Return a copy of the solid with its texture limited to the area ``low`` to ``high``."""
         corner, span = np.array(low), np.array(high) - np.array(low)
         return Solid(self.vertices, self.faces, corner + self.uv * span)
 
@@ -95,7 +95,7 @@ def signed_volume(vertices: Float[np.ndarray, "n 3"], faces: Int[np.ndarray, "m 
 
 
 def join(solids: Sequence[Solid]) -> Solid:
-    """Return several solids as one, with their surfaces kept separate."""
+    """Join several solids into one, but keep their surfaces separate."""
 
     def add(a: Solid, b: Solid) -> Solid:
         return Solid(np.concatenate([a.vertices, b.vertices]), np.concatenate([a.faces, b.faces
@@ -297,7 +297,7 @@ def open_box(x: float, y: float, z: float, wall: float, bottom: float) -> list[S
 def lathe(
     profile: Any, segments: int = 32, *, v: Sequence[float] | None = None, loop: bool = False
 ) -> Solid:
-    """Return the solid of revolution of ``profile``, given as (radius, z) points, about the z axis.
+    """Return the solid that results from revolving ``profile`` (radius, z) points about the z axis.
 
     The profile starts and ends on the axis (radius 0), or with ``loop`` is a closed curve away
     from it. It runs counter-clockwise, with the material on its left: from the centre of the bottom
@@ -356,7 +356,7 @@ def tube(
 def sweep(
     path: Any, section: Float[np.ndarray, "m 2"], scale: Any = 1.0, *, loop: bool = False
 ) -> Solid:
-    """Return the counter-clockwise ``section`` (width, height), swept and scaled along ``path``."""
+    """Sweep the counter-clockwise ``section`` (width, height) along ``path``, with scaling."""
     path = np.asarray(path, float)
     ways = np.roll(path, -1, 0) - np.roll(path, 1, 0) if loop else np.gradient(path, axis=0)
     ways /= np.linalg.norm(ways, axis=1, keepdims=True)

@@ -299,7 +299,7 @@ def show_color(made: Shape, word: str) -> Shape:
 
 
 def _share(tile: Tile, color: RGB) -> float:
-    """Return the fraction of a tile in about the given colour, including its tints and shades."""
+    """Return the fraction of a tile that has roughly the given colour, or a tint or shade of it."""
     pixels, asked = tile.reshape(-1, 3).astype(float), np.array(color)
     tones, tone = pixels - pixels.mean(1, keepdims=True), asked - asked.mean()
     strength, wanted = np.linalg.norm(tones, axis=1), float(np.linalg.norm(tone))

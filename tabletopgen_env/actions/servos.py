@@ -82,7 +82,7 @@ class Servos:
         joints: Float[np.ndarray, "7"],
         gripper: float,
     ) -> None:
-        """Write the servo commands for joint positions that move from ``before`` to ``joints``.
+        """Write the servo commands that move the joints from ``before`` to ``joints``.
 
         ``gripper`` is the last entry of the action.
         """
@@ -104,7 +104,7 @@ class Controller(Protocol):
         ...
 
     def apply(self, world: World, action: Float[np.ndarray, "a"]) -> None:
-        """Write the servo commands of a validated action to ``world.data.ctrl``."""
+        """Write the servo commands for a validated action to ``world.data.ctrl``."""
         ...
 
 

@@ -55,7 +55,7 @@ def difference(result: BenchResult, baseline: BenchResult) -> PairedDifference:
 
 
 def compare(results: Sequence[BenchResult]) -> list[tuple[str, ...]]:
-    """Return the rows of a comparison table, header included; the first result is the baseline.
+    """Return a comparison table's rows, including its header; the first result is the baseline.
 
     Raises:
         InputError: there are no results, or they belong to different suites.

@@ -39,7 +39,7 @@ class SuiteOutcome:
 
 @dataclass(frozen=True)
 class FailurePictures:
-    """Pictures of failed episodes.
+    """Folders for pictures of failed episodes.
 
     Attributes:
         strips: Folder for a film strip (PNG) of each failed episode.
@@ -132,7 +132,7 @@ def _look(env: TabletopEnv, frames: list[Any] | None) -> None:
 
 
 def _write(frames: list[Any], pictures: FailurePictures, stem: str) -> None:
-    """Write a film strip and a video of an episode, as far as they are requested.
+    """Write the requested pictures of an episode: a film strip, a video, or both.
 
     Raises:
         StorageError: a file cannot be written.

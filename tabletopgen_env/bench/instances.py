@@ -121,7 +121,7 @@ class TaskSuites:
         return SplitRule("train" if split == "train" else "held_out", share=self.share)
 
     def level(self, difficulty: float) -> str:
-        """Return the name of a difficulty's level, which is the last one if none contains it."""
+        """Return the name of the level that contains a difficulty, or else of the last level."""
         held = (level.name for level in self.levels if level.holds(difficulty))
         return next(held, self.levels[-1].name)
 
@@ -161,7 +161,7 @@ class Suite:
         )
 
     def episodes(self) -> tuple[SuiteEpisode, ...]:
-        """Return the suite's episodes, table by table."""
+        """Return the suite's episodes, grouped by table."""
         return tuple(self._episodes())
 
     def _episodes(self) -> Iterator[SuiteEpisode]:

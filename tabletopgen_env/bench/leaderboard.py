@@ -32,7 +32,7 @@ _MARKUP = {ord(letter): f"&#{ord(letter)};" for letter in "&<>|\\`*_~[]{}$"}
 
 
 def read_results(folder: Path) -> list[BenchResult]:
-    """Read and validate the results in a folder, sorted by file name, each with its mark.
+    """Return the validated results in a folder, sorted by file name, with their replay counts.
 
     Raises:
         InputError: there are no results, or one of them is invalid.

@@ -152,7 +152,7 @@ class PolicyPlayer:
     policy: Any
 
     def begin(self, env: Any, seed: int) -> Act:
-        """Return the policy as an actor; raise InputError if its spaces do not match."""
+        """Return the policy as an actor; raise InputError if its spaces do not fit ``env``."""
         self._check(env)
         if (reset := getattr(self.policy, "reset", None)) is not None:
             reset()
@@ -202,7 +202,7 @@ def _call(module: str, function: str) -> Any:
 
 
 def _digest_of(module: str, own: object, name: str) -> str:
-    """Return the sha256 of a module's file content, a NUL and the policy's own digest.
+    """Return the sha256 of a module file's content, a NUL byte and the policy's own digest.
 
     The result is empty if there is neither.
     """
@@ -254,7 +254,7 @@ def _own_settings(given: Any, name: str, suite: Suite) -> dict[str, Any]:
 
 
 def _plain(key: str, value: Any) -> Any:
-    """Return a setting as a JSON value: a string, a number, or a list or table of these."""
+    """Return a setting as a JSON value: a string, a number, or a list or dict of these."""
     if isinstance(value, Mapping):  # sizes per camera
         return {str(name): _plain(key, part) for name, part in sorted(value.items())}
     if isinstance(value, list | tuple):

@@ -94,7 +94,7 @@ class BenchResult:
 
     @property
     def interval(self) -> tuple[float, float]:
-        """The 95 % Wilson interval of the fraction solved, for episodes treated as independent."""
+        """The 95 % Wilson interval of the fraction of solved episodes, treated as independent."""
         return wilson(self.solved, len(self.episodes))
 
     def of_level(self, level: str) -> tuple[int, int]:
@@ -240,7 +240,7 @@ def _player(entry: dict[str, Any]) -> PlayerFacts:
 
 
 def _check_setting(value: Any) -> None:
-    """Check that a setting is a printable string, a number, or a list or table of these."""
+    """Check that a setting is a printable string, a number, or a list or dict of these."""
     if isinstance(value, dict):
         value = [*value, *value.values()]
     if isinstance(value, list):

@@ -183,7 +183,7 @@ def _writing(path: Path) -> Iterator[Path]:
 def _resume(
     journal: Path, head: dict[str, Any], episodes: tuple[SuiteEpisode, ...]
 ) -> list[EpisodeRow]:
-    """Return the complete episodes of a journal and cut off the rest; create a missing journal.
+    """Return a journal's complete episodes and cut off the rest; create the journal if missing.
 
     Raises:
         InputError: the journal belongs to another run, or is damaged.

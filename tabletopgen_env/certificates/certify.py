@@ -85,7 +85,7 @@ def certify(
 def certify_all(
     paths: Sequence[Path], terms: Terms = DEFAULT, workers: int = 1, ray: str | None = None
 ) -> Iterator[tuple[Path, Certificate | TabletopError]]:
-    """Certify bundles as ``certify`` does, and yield each with its certificate once it is written.
+    """Certify bundles as ``certify`` does; yield each bundle with its certificate or the error.
 
     A bundle that cannot be certified is yielded with its error. If interrupted, it keeps the
     certificates already written.

@@ -1,4 +1,4 @@
-"""Checks of certificates: whether their values are possible, and replay of some episodes.
+"""Checks of certificates: detection of impossible values, and replay of some episodes.
 
 ``tabletopgen verify --replay`` runs them through the entry point in ``tabletopgen.verifiers``.
 """

@@ -50,7 +50,7 @@ class GraspDetector:
     def __call__(
         self, world: World, target: str, failed: tuple[Grasp, ...] = ()
     ) -> GraspPlan | None:
-        """Return the best-rated grasp of an object in the arm's reach, or None if there is none.
+        """Return an object's best-rated grasp within the arm's reach, or None if there is none.
 
         Grasps in ``failed`` rank last, as in ``choose``.
         """
@@ -110,7 +110,7 @@ def read_detector(path: Path = PATH) -> GraspDetector:
 
 
 def shipped_digest() -> str:
-    """Return a digest of the shipped weights, on which detections depend."""
+    """Return a digest that identifies the shipped weights, since they determine the detections."""
     return hashlib.sha256(PATH.read_bytes()).hexdigest()[:16]
 
 

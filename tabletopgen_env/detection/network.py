@@ -142,7 +142,7 @@ def _convolve(
     weight: Float32[np.ndarray, "o c s s"],
     bias: Float32[np.ndarray, "o"],
 ) -> Float32[np.ndarray, "t i j o"]:
-    """Apply a convolution layer by matrix products small enough to keep BLAS single-threaded."""
+    """Apply a convolution layer with matrix products small enough to keep BLAS single-threaded."""
     edge, gap, step = layer.padding, layer.dilation, layer.stride
     padded = np.pad(values, ((0, 0), (edge, edge), (edge, edge), (0, 0)))
     count = (padded.shape[1] - gap * (layer.side - 1) - 1) // step + 1

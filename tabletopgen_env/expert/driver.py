@@ -1,4 +1,4 @@
-"""The base class of the scripted experts, which senses the hand and moves it by policy actions.
+"""The base class of the scripted experts, with methods that sense the hand and move it.
 
 The experts use the environment's normalised actions, computed by proportional control from the
 tool's current pose, so that demonstrations depend only on what a learner can observe.
@@ -117,7 +117,7 @@ class Expert(ABC):
     def _act(
         self, move: Float[np.ndarray, "3"], turn: float, opening: float, slow: float = 1.0
     ) -> Float[np.ndarray, "5"]:
-        """Return the action that moves (m, world), turns (rad) and opens (m) the hand."""
+        """Return the action that moves (m, world frame), turns (rad) and opens (m) the hand."""
         step = self._env.world.base_rotation.T @ move * (_GAIN / EE_STEP)
         step /= max(1.0, float(np.abs(step).max()) / slow)
         spin = np.clip(turn * _TURN_GAIN / EE_TURN, -1.0, 1.0)

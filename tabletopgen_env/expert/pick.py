@@ -150,7 +150,7 @@ class Picker(Expert):
         return self._come_down(self._hover())
 
     def _hover(self) -> float:
-        """Return the height above the grasp that the hand keeps until aligned with the grasp."""
+        """Return the height above the grasp that the hand keeps until it is aligned."""
         grasp = self._plan.grasp
         spare = (grasp.opening - grasp.width) / 2
         fine = float(np.clip(spare - 0.002, *_FINE))
@@ -351,7 +351,7 @@ class Picker(Expert):
     # ------------------------------------------------------------------------------------ moving
 
     def _enter(self, phase: Phase) -> Float[np.ndarray, "5"]:
-        """Change to ``phase`` and stand still in this step."""
+        """Change to ``phase``; return an action that does not move the hand."""
         self._carries = phase == "unwind" and self.phase == "carry"
         self.phase, self._steps = phase, 0
         self._last_gap, self._placed = self._gap, self._tool

@@ -209,6 +209,6 @@ class Pusher(Expert):
         return self._act(point - self._tool, turn, 0.0, slow)
 
     def _enter(self, phase: Phase) -> Float[np.ndarray, "5"]:
-        """Change to ``phase`` and stand still in this step."""
+        """Change to ``phase``; return an action that does not move the hand."""
         self.phase, self._steps = phase, 0
         return self._act(np.zeros(3), 0.0, 0.0)

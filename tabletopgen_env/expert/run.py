@@ -1,4 +1,4 @@
-"""The expert for any task, which solves one goal at a time with the expert for its kind."""
+"""The expert for any task: it solves one goal at a time with the expert for that kind of goal."""
 
 from __future__ import annotations
 

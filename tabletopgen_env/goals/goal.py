@@ -230,7 +230,7 @@ class Into(Goal):
     sentence = "put {target} into {reference}"
 
     def region(self, world: World) -> Region:
-        """Return the region of the hollow, extended by the target's height above the rim."""
+        """Return the region of the hollow, extended above the rim by the target's height."""
         hollow, name = self.opening, self.reference
         rotation, top = world.rotation(name), hollow.rim + self.height
         local = np.array([*hollow.center, (hollow.floor + top) / 2])
@@ -307,7 +307,7 @@ def begin_goals(world: World, goals: Iterable[Goal]) -> tuple[Goal, ...]:
 
 
 def the(world: World, name: str) -> str:
-    """Return a name that identifies an object among the present ones, such as "the red mug"."""
+    """Return a name that distinguishes an object from the others present, such as "the red mug"."""
     return refer(world.scene, world.scene.object(name), world.mount.yaw, world.absent)
 
 

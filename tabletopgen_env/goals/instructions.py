@@ -13,7 +13,7 @@ _ORDINALS = ("first", "second", "third", "fourth", "fifth", "sixth", "seventh", 
 
 
 def refer(scene: Scene, obj: Object, yaw: float, absent: Collection[str] = ()) -> str:
-    """Return a phrase that refers to ``obj`` alone in ``scene``, such as "the red mug".
+    """Return a phrase that identifies ``obj`` uniquely in ``scene``, such as "the red mug".
 
     The phrase is the label if it is unique; the label with its colour if the colours in the plan
     differ; otherwise the phrase counts from the left, as seen in the direction ``yaw`` (that of the
@@ -33,7 +33,7 @@ def refer(scene: Scene, obj: Object, yaw: float, absent: Collection[str] = ()) -
 
 
 def _rightwards(obj: Object, yaw: float) -> float:
-    """Return how far to the right an object is, seen in the direction ``yaw``, in metres."""
+    """Return how far to the right an object is, in metres, when viewed in the direction ``yaw``."""
     x, y, _ = obj.pose.position
     return float(x * math.sin(yaw) - y * math.cos(yaw))
 

@@ -1,4 +1,4 @@
-"""Objects, by name, that tables generated for a task must contain.
+"""Names of objects that tables generated for a task must contain.
 
 For each need, a table has one object drawn from the alternatives (``SceneDistribution.needs``). The
 lists are based on the random variants of the catalogue's objects: they name objects that the hand

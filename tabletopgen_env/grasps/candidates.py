@@ -1,4 +1,4 @@
-"""Candidate grasps: antipodal grasps of a single object from all sides, by the expert's planner."""
+"""Candidate grasps: antipodal grasps of an object from all sides, found by the expert's planner."""
 
 from __future__ import annotations
 
@@ -55,7 +55,7 @@ def find_candidates(
 
 
 def approaches(directions: int, rng: np.random.Generator) -> list[Float[np.ndarray, "3 3"]]:
-    """Return rotations that each turn one approach direction straight down."""
+    """Return rotations, each of which turns one approach direction straight down."""
     k = np.arange(directions) + 0.5
     polar, turn = np.arccos(1 - 2 * k / max(directions, 1)), _GOLDEN * k
     spread = np.column_stack(

@@ -91,7 +91,7 @@ def _quaternion(grasp: GraspCandidate) -> np.ndarray:
 
 
 def is_labelled(path: Path, terms: GraspTerms = USUAL) -> bool:
-    """Return whether a bundle has valid labels with these settings, written by any version."""
+    """Return whether a bundle has valid labels with these settings, from any package version."""
     try:
         found = read_file(path)
     except BundleError:

@@ -88,7 +88,7 @@ class PolicyEvaluation:
 def play(
     env: gym.Env[Any, np.ndarray], policy: Predicts, seed: int, frames: list[Any] | None = None
 ) -> EpisodeResult:
-    """Run one episode until success has lasted (``episodes.Held``) or the time limit is reached.
+    """Run one episode until success is sustained (``episodes.Held``) or the time limit is reached.
 
     ``frames`` receives the return value of ``env.render`` at the start, every few steps and at the
     end.

@@ -374,7 +374,7 @@ def _check_printable(value: Any) -> None:
 
 
 def _detector(env: Mapping[str, Any]) -> dict[str, str]:
-    """Return the digest of the grasp detector if the state uses it, or an empty dict otherwise."""
+    """Return the digest of the grasp detector in a dict, which is empty if it is not used."""
     if env.get("grasp_hint") != "detected":
         return {}
     from ..detection.detector import shipped_digest

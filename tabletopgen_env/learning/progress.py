@@ -194,7 +194,7 @@ def logger_of(run: Run, say: Say) -> Logger:
 
 
 def bar(total: int) -> Callable[[int | None], None]:
-    """Return a function that moves a progress bar to a number of steps, or closes it for None."""
+    """Return a function that moves a progress bar to a number of steps; None closes the bar."""
     from rich.progress import BarColumn, MofNCompleteColumn, TimeRemainingColumn
     from rich.progress import Progress as Bars
 

@@ -120,7 +120,7 @@ class Run:
         _write_rows(self.path, [*self.rows(), row])
 
     def save(self, learner: Learner, counts: Counts, replay: bool) -> None:
-        """Publish a checkpoint and delete the older ones.
+        """Save a checkpoint and delete the older ones.
 
         Raises:
             StorageError: the checkpoint cannot be written.

@@ -171,7 +171,7 @@ def new_model(recipe: Recipe, env: Any, seed: int) -> BaseAlgorithm:
 
 
 def blank_model(recipe: Recipe, like: gym.Env[Any, Any]) -> BaseAlgorithm:
-    """Create a recipe's model for blank environments, with a replay buffer of one step for each.
+    """Create a recipe's model for placeholder environments, with a one-step replay buffer for each.
 
     ``like`` provides the spaces of the environments; it is not changed.
 
@@ -188,7 +188,7 @@ def blank_model(recipe: Recipe, like: gym.Env[Any, Any]) -> BaseAlgorithm:
 
 
 class _Blank(gym.Env):
-    """An environment that does nothing, with the spaces of another environment."""
+    """A placeholder environment that does nothing, with the spaces of another environment."""
 
     def __init__(self, like: gym.Env[Any, Any]) -> None:
         self.observation_space, self.action_space = like.observation_space, like.action_space

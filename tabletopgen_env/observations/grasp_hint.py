@@ -196,7 +196,7 @@ class GraspHint:
         self._low = 0.0 if self.planned is None else float(self.planned.grasp.point[2])
 
     def _carry(self, world: World, name: str, plan: GraspPlan) -> GraspPlan:
-        """Return a grasp, moved as the object has moved since the last call of ``_take``."""
+        """Return a grasp that has moved with the object since the last call of ``_take``."""
         turned = world.rotation(name) @ self._rotation.T
         at, turn, old = world.position(name), rotation_yaw(turned), plan.grasp
         point = at + turned @ (old.point - plan.seen)
@@ -204,7 +204,7 @@ class GraspHint:
         return GraspPlan(grasp, wrap(plan.yaw + turn), at)
 
     def _is_elsewhere(self, world: World, name: str) -> bool:
-        """Return whether the object has come to rest elsewhere, or tilted, since the last plan."""
+        """Return whether the object has settled elsewhere or at a new tilt since the last plan."""
         speed = world.velocity(name)[:3]
         if float(speed @ speed) > _STILL**2:
             return False

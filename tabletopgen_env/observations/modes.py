@@ -111,7 +111,7 @@ def observation_space(config: ObservationConfig, goals: int = 1) -> spaces.Space
 
 
 def slot_order(world: World, goal: Goal) -> list[str]:
-    """Return up to 12 objects by slot: the target, the goal's reference, the others by distance."""
+    """Return up to 12 objects by slot: the target, the goal's reference, and others by distance."""
     first = [name for name in (goal.target, goal.reference) if name is not None]
     middle = goal.region(world).center if goal.target is None else world.position(goal.target)
     rest = [name for name in world.names if name not in first and name not in world.absent]

@@ -1,4 +1,4 @@
-"""A Gymnasium vector environment with its slots on threads or in several processes.
+"""A Gymnasium vector environment whose slots run on threads or in several processes.
 
 MuJoCo simulates without holding the GIL, so threads give some speed-up without copying data, and
 each scene is compiled only once for all slots. The Python part of a step still runs on one core.
@@ -247,7 +247,7 @@ class TabletopVectorEnv(VectorEnv[Any, Any, Any]):
             )
 
     def visit(self, work: Job, slots: Iterable[int] | None = None) -> list[Any]:
-        """Call a function on the environments of all or some slots; return its results.
+        """Call a function on the environments of all or some slots; return the results.
 
         The function runs in the slot's thread or process.
 
@@ -272,7 +272,7 @@ class TabletopVectorEnv(VectorEnv[Any, Any, Any]):
 
     @property
     def np_random(self) -> Any:
-        """The slots' random generators, or copies if slots are in processes."""
+        """The slots' random generators, or copies of them if the slots run in processes."""
         return self.get_attr("np_random")
 
     @property
@@ -347,7 +347,7 @@ class TabletopVectorEnv(VectorEnv[Any, Any, Any]):
             )
 
     def _check_playing(self) -> None:
-        """Raise InputError if a slot has no episode, or one that is over and must be reset."""
+        """Raise InputError if a slot has no episode, or has a finished one and must be reset."""
         rows = self._runner.arrays
         if not rows.playing.all():
             idle = np.flatnonzero(~rows.playing).tolist()

@@ -34,7 +34,7 @@ _DEPTH = 10.0  # depth below the floor of removed objects, metres
 
 
 def bundles(world: World) -> dict[str, str]:
-    """Map each object to the first one on the table in its bundle, a group of touching objects.
+    """Map each object to the root of its bundle of touching objects: the first one on the table.
 
     The world must be at its start; the contacts there define the bundles.
     """
@@ -165,7 +165,7 @@ def _restless(
 def draw_distractors(
     settings: Randomization, world: World, rng: np.random.Generator
 ) -> dict[str, Any]:
-    """Draw how many distractors may stay, and the order in which objects are removed."""
+    """Draw the maximum number of distractors and the order in which objects are removed."""
     low, high = settings.distractors or (0, 0)
     order = [world.names[k] for k in rng.permutation(len(world.names))]
     return {"most": int(rng.integers(low, high + 1)), "order": order}
@@ -190,7 +190,7 @@ def leaving(
 
 
 def take_away(world: World, names: Collection[str]) -> None:
-    """Move objects below the floor, without collisions, weight, or slots in observations."""
+    """Move objects below the floor; remove their collisions, weight and observation slots."""
     import mujoco
 
     model, data = world.model, world.data

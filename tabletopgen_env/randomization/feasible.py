@@ -64,7 +64,7 @@ class _Taken:
     rotation: Float[np.ndarray, "3 3"]
 
     def has_grasp(self, world: World) -> bool:
-        """Return whether the arm can reach this or any other grasp at the object's current pose."""
+        """Return whether the planned or another grasp is reachable at the object's current pose."""
         turned = world.rotation(self.name) @ self.rotation.T
         point = world.position(self.name) + turned @ (self.plan.grasp.point - self.position)
         turn = rotation_yaw(turned)

@@ -68,7 +68,7 @@ def apply_cameras(world: World, drawn: dict[str, Any]) -> None:
 def _turn(
     quaternion: Float[np.ndarray, "4"], turn: Float[np.ndarray, "3"]
 ) -> Float[np.ndarray, "4"]:
-    """Return a wxyz quaternion, rotated in its local frame by a rotation vector."""
+    """Rotate a wxyz quaternion in its local frame by a rotation vector."""
     old = Rotation.from_quat(np.roll(quaternion, -1))
     return np.roll((old * Rotation.from_rotvec(turn)).as_quat(), 1)
 

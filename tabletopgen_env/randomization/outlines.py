@@ -19,7 +19,7 @@ Moves = Float[np.ndarray, "c 3"]
 
 
 def hull(outlines: Sequence[Outline]) -> Outline:
-    """Return the convex outline around outlines."""
+    """Return the convex hull of several outlines."""
     return outlines[0] if len(outlines) == 1 else convex_outline(np.concatenate(outlines))
 
 
@@ -34,7 +34,7 @@ def carry(outline: Outline, centre: Point, moves: Moves) -> Outlines:
 def keeps(
     own: Outlines, other: Outline, was: Outline, others: Outline, room: float
 ) -> Bool[np.ndarray, "c"]:
-    """Return which outlines are at least ``room``, or the original gap if smaller, from ``other``.
+    """Return which outlines keep a gap of ``room``, or the original gap if smaller, to ``other``.
 
     ``was`` and ``others`` are the original outlines of the moved object and of ``other``; their
     distance is sufficient if it is smaller than ``room``.
@@ -48,7 +48,7 @@ def keeps(
 
 
 def near(own: Outlines, other: Outline, room: float) -> bool:
-    """Return whether the bounding box of outlines is within ``room`` of that of ``other``."""
+    """Return whether the bounding boxes of ``own`` and ``other`` are at most ``room`` apart."""
     low, high = own.min((0, 1)) - room, own.max((0, 1)) + room
     return bool((low <= other.max(0)).all() and (high >= other.min(0)).all())
 

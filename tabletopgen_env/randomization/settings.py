@@ -178,7 +178,7 @@ distractors slightly; "strong" varies everything by large amounts."""
 
 
 def resolve(choice: Randomization | str | None) -> Randomization:
-    """Return the settings that a preset's name, a ``Randomization`` or None (off) stands for.
+    """Return the settings given by a preset's name, a ``Randomization`` or None (off).
 
     Raises:
         InputError: the preset is unknown, or the value has another type.

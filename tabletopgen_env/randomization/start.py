@@ -107,7 +107,7 @@ class _Zone:
 
 
 class _Tabletop:
-    """The bundles to displace, by their first objects, with an ``order`` and accepted ``moves``."""
+    """The bundles to displace, keyed by first object, with an ``order`` and accepted ``moves``."""
 
     def __init__(self, world: World, goals: Sequence[Goal]) -> None:
         self._before = world.scene

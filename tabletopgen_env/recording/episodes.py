@@ -1,4 +1,4 @@
-"""Episodes of the expert to be recorded, played in this process or in several others."""
+"""Expert episodes to be recorded, played in this process or in several others."""
 
 from __future__ import annotations
 
@@ -101,7 +101,7 @@ def play_episodes(
     ray: str | None = None,
     first: int = 0,
 ) -> Generator[RecordedEpisode | SceneError, None, None]:
-    """Yield recorded episodes indefinitely, or an error with the reason if one is not kept.
+    """Yield recorded episodes indefinitely; a discarded episode yields an error with the reason.
 
     The first episode has the number ``first``. The episodes do not depend on the number of
     ``workers``, or on whether these run on the Ray cluster at the address ``ray``; a single local
@@ -136,7 +136,7 @@ def _environment(config: RecordConfig) -> gym.Env[Any, Any]:
 def _chunk(
     config: RecordConfig, make: bytes, first: int, few: int
 ) -> list[RecordedEpisode | SceneError]:
-    """Play ``few`` episodes from number ``first`` in the environment made by pickled ``make``."""
+    """Play ``few`` episodes from number ``first`` in the environment from the pickled ``make``."""
     env = call_once(make)
     return [_attempt(config, env, first + k) for k in range(few)]
 

@@ -43,7 +43,7 @@ def publish(target: Path) -> Iterator[Path]:
 
 @contextmanager
 def publish_in_parts(target: Path, key: Mapping[str, Any], resume: bool) -> Iterator[Path]:
-    """Yield a temporary path as ``publish`` does, in a folder that survives a failure.
+    """Yield a temporary path, as ``publish`` does, but in a folder that survives a failure.
 
     The next call with the same ``key`` and ``resume`` continues with the folder, ``.<name>.part``,
     and all files in it. The folder is removed once the dataset is published, or if a failed call

@@ -86,7 +86,7 @@ def summarize_depth(pictures: Float[np.ndarray, "t h w"]) -> RowSummary:
 
 
 def merge(summaries: Sequence[RowSummary]) -> RowSummary:
-    """Merge summaries; each quantile is the parts' average quantile, weighted by row counts.
+    """Merge summaries; quantiles are averaged, weighted by row counts.
 
     Range, mean and deviation are exact. Exact quantiles cannot be computed from quantiles; LeRobot
     uses the mean as well when it merges episodes.

@@ -122,7 +122,7 @@ class ObservationConfig:
         self._check_marks()
 
     def _check_marks(self) -> None:
-        """Validate the instruction, target mark and calibration; replace None by a default."""
+        """Validate the instruction, target mark and calibration; replace None with a default."""
         if self.instruction is None:
             default: InstructionKind = "text" if self.mode == "pixels+proprio" else "none"
             object.__setattr__(self, "instruction", default)

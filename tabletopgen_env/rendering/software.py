@@ -199,7 +199,7 @@ def _color(model: mujoco.MjModel, k: int) -> Float[np.ndarray, "4"]:
 
 
 def _texture(model: mujoco.MjModel, k: int) -> UInt8[np.ndarray, "th tw 3"]:
-    """Return the 2D texture of geom ``k`` times its colour, or one pixel if it has no texture."""
+    """Return geom ``k``'s 2D texture multiplied by its colour, or one pixel without a texture."""
     import mujoco
 
     tint, material = _color(model, k)[:3], model.geom_matid[k]

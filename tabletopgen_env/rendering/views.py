@@ -108,7 +108,7 @@ def pictures(
     order: Sequence[str],
     target: str | None,
 ) -> dict[str, Shaped[np.ndarray, "..."]]:
-    """Return the pictures that ``config`` selects by key; ``order`` lists the objects in the slots.
+    """Return the pictures of ``config`` by key; ``order`` lists the objects in the slots.
 
     ``target`` is the object to mark, None for none.
     """
@@ -138,7 +138,7 @@ def pictures(
 
 
 def _tint(picture: UInt8[np.ndarray, "h w 3"], mask: Bool[np.ndarray, "h w"]) -> np.ndarray:
-    """Return a picture with a region tinted, and the region's edge in the full colour."""
+    """Return a copy of a picture with a tinted region, whose edge has the full colour."""
     inside = mask.copy()
     inside[:-1] &= mask[1:]
     inside[1:] &= mask[:-1]

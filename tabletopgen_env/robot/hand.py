@@ -142,7 +142,7 @@ def dress(spec: mujoco.MjSpec, body: mujoco.MjsBody) -> None:
 
 
 def _collide(body: mujoco.MjsBody, name: str, **geom: Any) -> None:
-    """Add an invisible colliding geom (group 3, as in Menagerie)."""
+    """Add an invisible collision geom (group 3, as in Menagerie)."""
     body.add_geom(name=name, group=3, mass=0, rgba=[0.9, 0.4, 0.2, 0.4], **geom)
 
 

@@ -170,7 +170,7 @@ def _candidates(scene: Scene) -> list[Mount]:
 
 
 class _Box(NamedTuple):
-    """The oriented box of an object: its centre, half extents, and axes as columns."""
+    """The oriented bounding box of an object: its centre, half extents, and axes as columns."""
 
     thing: Object
     middle: Float[np.ndarray, "3"]
@@ -230,7 +230,7 @@ def _score(
 
 
 def _spots(scene: Scene) -> Float[np.ndarray, "n 3"]:
-    """Return a grid of points on the tabletop, 6 cm apart."""
+    """Return a grid of points 5 cm above the tabletop, spaced 6 cm apart."""
     outline = np.asarray(scene.table.outline, float)
     low, high = outline.min(0), outline.max(0)
     axes = [np.arange(low[k] + 0.03, high[k], 0.06) for k in (0, 1)]
@@ -242,7 +242,7 @@ def _spots(scene: Scene) -> Float[np.ndarray, "n 3"]:
 
 
 def _gap(mount: Mount, box: _Box) -> float:
-    """Return the horizontal distance from the base's axis to an object's oriented box (metres)."""
+    """Return the horizontal distance in metres from the base's axis to an oriented bounding box."""
     offset = (mount.position - box.middle) @ box.axes
     offset[2] = 0.0
     return float(np.linalg.norm(np.maximum(np.abs(offset) - box.half, 0)[:2]))

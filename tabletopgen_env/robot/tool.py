@@ -19,7 +19,7 @@ WRIST_CAMERA = "wrist"
 
 
 def add_tool(hand: mujoco.MjsBody) -> None:
-    """Add the tool centre point's site, and a camera beside the hand that looks at it."""
+    """Add the site of the tool centre point, and a camera that views it from beside the hand."""
     hand.add_site(name=TCP_SITE, pos=[0, 0, franka.TCP], size=[0.005] * 3, group=4)
     position, target = np.array([0.09, 0.0, 0.03]), np.array([0.0, 0.0, franka.TCP + 0.04])
     back = (position - target) / np.linalg.norm(position - target)

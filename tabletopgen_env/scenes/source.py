@@ -48,7 +48,7 @@ class HeldRef(SceneRef):
 
 
 class Remembered(Generic[T]):
-    """A cache of facts about some ten thousand scenes; a copied cache is empty at first.
+    """A cache of facts about up to 10,000 scenes; a copied cache is empty at first.
 
     Facts about a scene in memory live as long as the scene, since its key can be reused afterwards.
     """

@@ -138,7 +138,7 @@ def scene_kinds(scene: Scene) -> frozenset[str]:
 
 
 def kinds_of(objects: Iterable[tuple[str, str]]) -> frozenset[str]:
-    """Return the categories and labels, as keys, of objects given as (category, label) pairs."""
+    """Return a set of keys: the categories and labels in the objects' (category, label) pairs."""
     words = {_key(word) for pair in objects for word in pair}
     return frozenset(words - {"generic"})
 

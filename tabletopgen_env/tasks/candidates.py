@@ -123,7 +123,7 @@ def rest_height(world: World, name: str) -> float:
 def spot_of(
     world: World, obj: Object, goal: Choice, rng: np.random.Generator
 ) -> Float[np.ndarray, "3"] | None:
-    """Return the spot on the table that ``goal`` gives, or a random free spot, in the world frame.
+    """Return the spot that ``goal`` specifies, or a random free spot on the table (world frame).
 
     At a random spot the arm can place the object with its planned grasp.
     """
@@ -177,7 +177,7 @@ def given_point(world: World, goal: Iterable[float]) -> Float[np.ndarray, "2"]:
 
 
 def containers(world: World, obj: Object) -> Iterator[Object]:
-    """Yield the containers for an object that stand free, upright and in reach."""
+    """Yield the upright, reachable containers with enough room for an object."""
     outline = world.footprints[obj.name]  # for any yaw of the hand
     across = float(np.linalg.norm(outline[:, None] - outline[None], axis=-1).max())
     for other in world.scene.objects:

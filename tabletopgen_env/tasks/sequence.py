@@ -1,4 +1,4 @@
-"""Sequence: several steps at one table, in the order of a sentence.
+"""Sequence: several steps at one table, in the order in which an instruction states them.
 
 Without a preset, two or three steps are drawn: objects are placed into containers, on flat tops of
 others or on marked spots, each object once. A preset has fixed steps:

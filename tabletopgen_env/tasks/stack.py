@@ -85,7 +85,7 @@ def supports(world: World, obj: Object, wanted: str | None = None) -> Iterator[O
 
 
 def _is_carried_to(world: World, obj: Object, base: Object, held: float) -> bool:
-    """Return whether the arm can hold ``obj`` over ``base``, at ``held`` above its centre."""
+    """Return whether the arm can hold ``obj``, gripped ``held`` above its centre, over ``base``."""
     tool = on_top(world, obj, base).region(world).center + up(held)
     ends = (tool, tool + up(HOVER))
     return any(stretch(world, ends, float(yaw)) is not None for yaw in _YAWS)

@@ -71,7 +71,7 @@ class Tidy(Task):
 
 
 def _together(world: World, container: Object, things: list[Object]) -> list[Object]:
-    """Return objects that fit into a container together, chosen in order of distance."""
+    """Return objects that together fit into a container, chosen in order of distance."""
     hollow = world.openings[container.name]
     assert hollow is not None
     room = FULL * np.pi * float(hollow.semi.prod())

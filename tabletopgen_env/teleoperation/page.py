@@ -1,4 +1,4 @@
-"""A local web page for teleoperation: it shows pictures and reads keys and sticks.
+"""A local web page for teleoperation: it shows pictures and reads the keyboard and gamepad.
 
 The server listens only on the loopback interface. A client needs the token in the page's address,
 and its Origin header must be the page itself, so that no other site in the same browser can drive

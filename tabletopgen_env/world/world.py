@@ -171,7 +171,7 @@ class World:
         self.base_position = np.asarray(mount.position, float)
 
     def rearrange(self, scene: Scene) -> None:
-        """Use the poses in ``scene``, which has the same objects, as the start of ``reset``."""
+        """Make ``reset`` start from the poses in ``scene``, which has the same objects."""
         self.scene = scene
         self._start = self._start_qpos()
         self._known = self._known_of_given if scene is self._given else {}
@@ -290,7 +290,7 @@ class World:
         return row
 
     def position(self, name: str) -> Float[np.ndarray, "3"]:
-        """Return the centre of an object's box in the world frame."""
+        """Return the centre of an object's bounding box in the world frame."""
         return self.state.positions[self.index(name)].copy()
 
     def rotation(self, name: str) -> Float[np.ndarray, "3 3"]:
@@ -298,7 +298,7 @@ class World:
         return self.state.rotations[self.index(name)].copy()
 
     def velocity(self, name: str) -> Float[np.ndarray, "6"]:
-        """Return an object's linear (world frame) and angular (body frame) velocity."""
+        """Return an object's linear velocity (world frame) and angular velocity (body frame)."""
         return self.state.velocities[self.index(name)].copy()
 
     def lowest(self, name: str) -> float:
@@ -327,7 +327,7 @@ class World:
         return found
 
     def _contacts(self, row: int) -> tuple[bool, bool, bool]:
-        """Return the result of ``touches`` for the object in a row."""
+        """Return the result of ``touches`` for the object with index ``row``."""
         if self.data.tree_asleep[self._trees[row]] >= 0:
             return False, False, self._at_base(row)
         sides: set[int] = set()

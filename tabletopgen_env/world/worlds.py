@@ -20,7 +20,7 @@ KEPT = 16
 
 
 class WorldCache:
-    """A cache of the ``size`` last used worlds by scene key, so that a reset only writes state.
+    """A cache of the ``size`` most recently used worlds, keyed by scene; resets only write state.
 
     New worlds, with ``robot`` at the table, are copied from ``masters``; if that is None, each is
     compiled.
@@ -61,7 +61,7 @@ class _Master:
 
 
 class Masters:
-    """A cache of the ``size`` last used scenes, compiled once with ``robot`` and then copied.
+    """A cache of the ``size`` most recently used scenes, compiled once with ``robot``, then copied.
 
     The methods are thread-safe. Each copy has its own model, since environments write to it.
     """

@@ -123,7 +123,7 @@ def read_row(path: Path) -> SceneRow:
 
 
 def read_whole_row(path: Path) -> tuple[SceneRow, Scene | None]:
-    """Return a bundle's row, with its difficulty and certificate, and its scene, all validated.
+    """Validate a bundle; return its row, with difficulty and certificate, and its scene.
 
     The scene is None if the row has an ``error``.
     """

@@ -99,7 +99,7 @@ def scene_folder(
 
 
 def _is_data(name: str) -> bool:
-    """Return whether a bundle's file is served, which excludes scripts and web pages.
+    """Return whether a bundle's file is served; scripts and web pages are not.
 
     The archive of the bundle contains all files.
     """
@@ -115,7 +115,7 @@ def _robot(
     shown: Mapping[str, str],
     report: Callable[[str], None],
 ) -> tuple[dict[str, Any] | None, list[dict[str, object]]]:
-    """Add files of the scene with the arm and of episodes; return entries of ``view.json``."""
+    """Add the episodes' files and the scene with the arm; return their ``view.json`` entries."""
     try:
         files["arm/scene.xml"] = robot_document(scene, frozenset(shown)).encode()
     except SceneError:  # no mount for the arm: show the scene without it

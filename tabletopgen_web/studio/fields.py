@@ -1,4 +1,4 @@
-"""Validation of the fields of a JSON object from outside."""
+"""Validation of the fields of JSON objects from untrusted sources."""
 
 from __future__ import annotations
 

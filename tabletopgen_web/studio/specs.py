@@ -52,7 +52,7 @@ class Paid:
 
 @dataclass(frozen=True)
 class GenerateSpec:
-    """A scene from a prompt or an uploaded picture, by the full method."""
+    """A scene generated from a prompt or an uploaded picture with the full method."""
 
     text: str | None
     picture: str | None

@@ -66,7 +66,7 @@ class Refusal:
 
 
 def read_all(paths: Sequence[Path], key: StudyKey) -> tuple[list[RaterAnswers], list[Refusal]]:
-    """Read answers from files and the ``*.json`` files of folders; also return excluded files.
+    """Read answers from files and from folders' ``*.json`` files; also return excluded files.
 
     A rater counts once: duplicates of the same answers, in any language, are excluded; if a rater's
     answers differ between files, all of them are excluded, since none is known to be right. Raters

@@ -83,7 +83,7 @@ def _draw_shares(axes: Axes, report: StudyReport) -> None:
 
 
 def _errors(means: Sequence[float], intervals: Sequence[Interval | None]) -> np.ndarray | None:
-    """Return the extents of intervals below and above the means in 2 rows, or None if missing."""
+    """Return two rows, the intervals' extents below and above the means; None if any is missing."""
     if any(one is None for one in intervals):
         return None
     bounds = np.array([one for one in intervals if one is not None]).T

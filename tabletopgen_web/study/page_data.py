@@ -74,7 +74,7 @@ def read_template() -> str:
 
 
 def fill(template: str, facts: Mapping[str, Any]) -> str:
-    """Insert a study's data, and a security policy that allows only its code, into the built page.
+    """Fill the built page with a study's data and a security policy that allows only its code.
 
     Raises:
         InputError: the built page has no placeholder, or the result is too large.

@@ -42,7 +42,7 @@ def decode(raw: bytes, what: str) -> UInt8[np.ndarray, "h w 3"]:
 
 
 def digest_of(picture: UInt8[np.ndarray, "h w 3"]) -> str:
-    """Return the SHA-256 of a picture's size and pixels, which is equal for copies of a photo."""
+    """Return the SHA-256 of a picture's size and pixels; it is equal for copies of a photo."""
     size = np.array(picture.shape, "<i8").tobytes()
     return hashlib.sha256(size + np.ascontiguousarray(picture).tobytes()).hexdigest()
 

@@ -1,4 +1,4 @@
-"""A reasoner and an imager for any OpenAI-compatible server: the paper's closed models, or others.
+"""A reasoner and an imager for OpenAI-compatible servers, with the paper's closed models or others.
 
 ``configuration`` lists the environment variables that select the server, models and keys.
 """

@@ -210,13 +210,13 @@ class CloudImager:
         )
 
     def _take(self, seed: int, take: int) -> str:
-        """Return a sentence for the prompt that makes requests for different drawings differ."""
+        """Return a sentence that makes the prompts for different drawings differ."""
         number = 1 + take + (1 + REDRAWS) * (self.seed + seed)
         return f"Version {number}. Do not write this number."
 
 
 def _form(model: str, base_url: str) -> Form:
-    """Return a server's API format, derived from the names of the model and of the server."""
+    """Return a server's API format, based on the names of the model and the server."""
     known = any(word in model.lower() for word in ("seedream", "seededit"))
     return "seedream" if known or configuration.server_name(base_url) == "ark" else "openai"
 

@@ -86,7 +86,7 @@ class CloudReasoner:
         return self.chat.ask("plan_scene", text, (), answers.PlanAnswer, plan)
 
     def list_objects(self, reference: Reference) -> tuple[str, ...]:
-        """Return "table" and the noun of each visible kind, once for each of its instances."""
+        """Return "table" and each visible kind's noun, repeated for each of its instances."""
         plan = ""
         if reference.plan is not None:
             nouns = ", ".join(thing.noun for thing in reference.plan.objects)

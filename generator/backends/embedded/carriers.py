@@ -1,4 +1,4 @@
-"""Flat objects that carry others (boards, trays and mats), which detectors take for the tabletop.
+"""Boards, trays and mats that carry other objects and that detectors mistake for the tabletop.
 
 They differ in colour from the rest of the top, are convex, and carry something. A shadow, in
 contrast, is darker than the surface with hardly any change of hue, and is convex only together with
@@ -86,7 +86,7 @@ def _pieces(
     other: Bool[np.ndarray, "h w"],
     covered: Bool[np.ndarray, "h w"],
 ) -> list[Bool[np.ndarray, "h w"]]:
-    """Return the patches of other colours, joining parts of a patch that an object divides."""
+    """Return the patches of other colours; parts that an object separates are joined."""
     opened = cv2.morphologyEx(other.astype(np.uint8), cv2.MORPH_OPEN, np.ones((5, 5), np.uint8))
     count, labels, stats, _ = cv2.connectedComponentsWithStats(opened)
     kept = [k for k in range(1, count) if stats[k, cv2.CC_STAT_AREA] >= _CRUMB * other.size]

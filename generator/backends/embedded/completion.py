@@ -1,4 +1,4 @@
-"""Completion of one object in the reference image, adding hidden parts and a clean soft outline."""
+"""Completion of one object in the reference image: its hidden parts, and a clean, soft outline."""
 
 from __future__ import annotations
 
@@ -171,7 +171,7 @@ def crop_box(box: Float[np.ndarray, "4"]) -> Float[np.ndarray, "4"]:
 def cut_out(
     image: UInt8[np.ndarray, "h w 3"], mask: Mask, box: Float[np.ndarray, "4"]
 ) -> UInt8[np.ndarray, "ch cw 4"]:
-    """Cut out a box, which may exceed the image, as RGBA with a soft edge; enlarge it if small.
+    """Return a soft-edged RGBA cut-out of a box, which may exceed the image; enlarge it if small.
 
     Colours outside the mask are those of the nearest pixel inside, so that edges stay clean.
     """

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class EmbeddedEncoder:
-    """A fixed filter bank, used as Phi of Eq. 4.
+    """A fixed filter bank that computes the features Phi of Eq. 4.
 
     At each scale (stride 2, 4 and 8), a map has two chroma channels and the derivatives of
     luminance along ``orientations`` directions. The channels of each position are divided by their
@@ -33,7 +33,7 @@ class EmbeddedEncoder:
     floor: float = 0.15
 
     def features(self, images: Tensor) -> tuple[Tensor, ...]:
-        """Map (b, 3, h, w) images in [0, 1] to (b, 2 + orientations, h / s, w / s) maps.
+        """Map (b, 3, h, w) images in [0, 1] to (b, 2 + orientations, h/s, w/s) maps at scales s.
 
         The result is differentiable in ``images``; the norm of every position's channels is below
         1.

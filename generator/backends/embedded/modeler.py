@@ -1,4 +1,4 @@
-"""Image to 3D by analysis and synthesis: fit candidate shapes and keep the most similar one."""
+"""Analysis by synthesis for image-to-3D: shapes are fitted, and the most similar one is kept."""
 
 from __future__ import annotations
 

@@ -197,7 +197,7 @@ def _shape(thing: EyeDetection) -> str:
 def refine(
     image: UInt8[np.ndarray, "h w 3"], mask: Bool[np.ndarray, "h w"]
 ) -> Bool[np.ndarray, "h w"]:
-    """Refine a mask's boundary to the picture's edges, with GrabCut in a band around it.
+    """Align a mask's boundary with the picture's edges, using GrabCut in a band around it.
 
     The inside and the outside are fixed; a result that changes the area much is discarded.
     """

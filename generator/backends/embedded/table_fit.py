@@ -138,7 +138,7 @@ def _settle(
 
 
 def _leg_measures(form: TableForm) -> np.ndarray:
-    """Return leg insets (x, y), lean, upper and lower width, all relative to the top's width."""
+    """Return leg insets (x, y), lean, and upper and lower width, relative to the top's width."""
     width = float(min(form.size[:2]))
     return np.array([*form.inset, form.lean, form.high, form.low]) / width
 
@@ -250,7 +250,7 @@ class _Legs:
         return replace(form, height=found)
 
     def fit(self, usual: float) -> tuple[tuple[TableForm, float], tuple[TableForm, float]]:
-        """Return the best form with posts as legs and the best other form, and their overlaps."""
+        """Return the best form with posts as legs, the best other form, and both overlaps."""
         kinds = ("posts", "sled", "trestle", "pedestal")
         firsts = [self._best(self._coarse(kind, usual)) for kind in kinds]
         rival = max(firsts[1:], key=lambda f: f[1])

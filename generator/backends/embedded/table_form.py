@@ -33,7 +33,7 @@ _CIRCLE = ellipse(1, 1, 16)
 
 @dataclass(frozen=True, eq=False)
 class TableForm:
-    """A table in metres, with the centre of its top's box at x = y = 0.
+    """A table in metres; the centre of its top's bounding box is at x = y = 0.
 
     ``outline`` is the outline of the top, convex and counter-clockwise; ``corners`` are the corners
     for its legs (``corners_of``). ``inset`` is the distance of the joints inside the corners, along
@@ -68,7 +68,7 @@ class TableForm:
         return np.sign(corners) * np.maximum(np.abs(corners) - self.inset, self.high / 2)
 
     def pieces(self) -> list[Ring]:
-        """Return the legs' convex pieces (two rings each, from z = 0), moved into the top's box."""
+        """Return the legs' convex pieces (two rings each, from z = 0), within the top's bounds."""
         top = self.height - self.thickness
         made = {"posts": self._posts, "sled": self._sled, "trestle": self._trestle,
                 "pedestal": self._pedestal}  # fmt: skip

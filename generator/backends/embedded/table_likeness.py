@@ -1,4 +1,4 @@
-"""Modelling of a picture's table, with a measured top, legs from the silhouette, and its colours.
+"""Model of a picture's table: a measured top, legs from the silhouette, and the picture's colours.
 
 The top is painted as in the picture: a plain top stays plain despite shadows on it, and a patterned
 top keeps its pattern.

@@ -156,7 +156,7 @@ def _bare_top(
     scale: float,
     size: tuple[int, int],
 ) -> UInt8[np.ndarray, "a b 3"]:
-    """Return the tabletop from above with the objects inpainted, on a neutral background."""
+    """Return the tabletop from above, inpainted where objects were, on a neutral background."""
     cover = dilate(covered, 7).astype(np.uint8)
     corners = np.array([[-1, 1], [1, 1], [1, -1], [-1, -1]], float) * np.asarray(plane.size) / 2
     here = plane.to_pixels(corners).astype(np.float32)

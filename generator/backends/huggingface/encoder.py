@@ -1,4 +1,4 @@
-"""The Encoder with DINOv2 (M. Oquab et al., 2023): Phi of Eq. 4, as in the paper."""
+"""The paper's Encoder, DINOv2 (M. Oquab et al., 2023), which computes the features Phi of Eq. 4."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ _KIND = "Dinov2Model"
 
 @dataclass(frozen=True)
 class HuggingFaceEncoder:
-    """An encoder with DINOv2's tokens as Phi of Eq. 4: one map of patches and one global feature.
+    """An encoder that uses DINOv2's patch map and global feature as the features Phi of Eq. 4.
 
     Each position's vector has length 1, so squared distances are in [0, 4] as with the embedded
     encoder, and lambda_a has the same meaning.

@@ -1,4 +1,4 @@
-"""Client of Tencent Cloud's service ai3d: signed calls that submit and poll jobs."""
+"""Client for Tencent Cloud's ai3d service: signed calls that submit and poll jobs."""
 
 from __future__ import annotations
 
@@ -89,7 +89,7 @@ class Service:
             return printable(job, f"{self.what} the JobId", BackendError)
 
     def look(self, job: str, memo: str) -> Mapping[str, Any]:
-        """Return the state of a job; with ``memo`` "yes", return the last known one, if any.
+        """Return the state of a job or, with ``memo`` "yes", its last known state, if any.
 
         Raises:
             BackendError: the service refuses.
@@ -183,7 +183,7 @@ def authorization(
 
 
 def signature(request: httpx2.Request, secret_id: str, secret_key: str) -> Mapping[str, str]:
-    """Return the headers that sign a request now; its own headers name the host and the action."""
+    """Return headers that sign a request now; the request must name its host and action."""
     timestamp = int(time.time())
     host, action = request.headers["host"], request.headers["x-tc-action"]
     signed = authorization(

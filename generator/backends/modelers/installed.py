@@ -18,7 +18,7 @@ from ...scene import Instance, Model, SizePrior
 
 @dataclass(frozen=True)
 class Installed:
-    """A model in this process, which processes one instance at a time."""
+    """A model that runs in this process, on one instance at a time."""
 
     _turn: threading.Lock = field(
         default_factory=threading.Lock, init=False, repr=False, compare=False

@@ -176,7 +176,7 @@ class Tencent:
         return answer.content if answer.status_code == 200 else None
 
     def _trusted(self, scheme: str, host: str) -> bool:
-        """Return whether results may be downloaded from a host; http is only for this machine."""
+        """Return whether results may be downloaded from a host; only a local one may use http."""
         ends = tuple("." + end.lstrip(".") for end in self.hosts)
         safe = scheme == "https" or (scheme == "http" and local(host))
         return safe and f".{host}".endswith(ends)

@@ -25,7 +25,7 @@ _PROXIES = ("http", "https", "socks5", "socks5h")
 
 
 class Dialer(httpcore2.NetworkBackend):
-    """A network backend that shuts down its connections at a deadline of ``time.monotonic``.
+    """A network backend that shuts down its connections at a deadline (in ``time.monotonic`` time).
 
     The timeouts of HTTP libraries apply to single reads, so a server that sends a byte now and then
     could block a call forever.
@@ -145,7 +145,7 @@ class _Body(httpx2.SyncByteStream):
 
 
 def proxy_for(scheme: str, host: str) -> str | None:
-    """Return the proxy that the environment sets for a host (such as HTTPS_PROXY), or None.
+    """Return the proxy for a host that the environment sets (in HTTPS_PROXY, for example), or None.
 
     Raises:
         BackendError: the kind of proxy is not supported, or its address is invalid.

@@ -50,7 +50,7 @@ class RetryPolicy:
 
 
 def retry_after(text: str | None, now: datetime | None = None) -> float | None:
-    """Return the seconds that a Retry-After header requests, as a number or a date.
+    """Return the wait in seconds that a Retry-After header (a number or a date) requests.
 
     The result is None if the header is absent, unreadable or infinite.
     """

@@ -54,7 +54,7 @@ class NoDatabaseError(StorageError):
 
 
 class Keeper(Protocol):
-    """Access to databases, by this process or by one process for several machines."""
+    """Access to databases, by this process or by one process on behalf of several machines."""
 
     def create(self, folder: Path) -> None:
         """Create a folder's database if it does not exist."""
@@ -73,7 +73,7 @@ class Keeper(Protocol):
 
 
 class LocalKeeper:
-    """Access by this process to databases of this machine."""
+    """Access by this process to databases on this machine."""
 
     def create(self, folder: Path) -> None:
         """Create an empty database in a folder, accessible only to its owner, if none exists.

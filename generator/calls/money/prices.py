@@ -47,7 +47,7 @@ class Price:
         return tokens / 1e6 + self.image * images + self.call
 
     def told(self, tokens_in: int, tokens_out: int) -> bool:
-        """Return whether an answer reports all token counts that cost money."""
+        """Return whether an answer reports the counts of all tokens that cost money."""
         return not (self.input and not tokens_in) and not (self.output and not tokens_out)
 
 

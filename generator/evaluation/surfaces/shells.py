@@ -173,7 +173,7 @@ def _shell(vertices: Float[np.ndarray, "n 3"], faces: Int[np.ndarray, "m 3"]) ->
 
 
 def _outer(faces: Int[np.ndarray, "m 3"]) -> Int[np.ndarray, "k 3"]:
-    """Return the faces, without pairs of coincident faces with opposite orientations."""
+    """Return the faces, omitting pairs of coincident faces with opposite orientations."""
     key = np.sort(faces, axis=1)
     _, group = np.unique(key, axis=0, return_inverse=True)
     group = group.reshape(-1)

@@ -93,7 +93,7 @@ class Metric(Protocol):
 
 @dataclass(frozen=True, eq=False)
 class Best:
-    """The best view for one metric, and the metric's values for all views in their order."""
+    """The best view for one metric, and the metric's values for all views, in order."""
 
     metric: str
     higher_is_better: bool

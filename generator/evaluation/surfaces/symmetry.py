@@ -70,7 +70,7 @@ def _smooth(
 
 
 def find_changes(points: Cloud, angle: float, every: int = 1) -> Bool[np.ndarray, "m"]:
-    """Return which points, rotated by ``angle`` radians, do not match the surface where they land.
+    """Return which points do not match the surface they land on when rotated by ``angle`` radians.
 
     Only every ``every``-th point is tested.
     """
@@ -82,7 +82,7 @@ def find_changes(points: Cloud, angle: float, every: int = 1) -> Bool[np.ndarray
 
 
 def misfit(points: Cloud, angle: float) -> float:
-    """Return the fraction of the surface that looks different after a turn by ``angle`` radians."""
+    """Return the fraction of the surface that looks different when rotated by ``angle`` radians."""
     every = max(1, len(points.position) // _ASKED)
     return float(find_changes(points, angle, every).mean())
 

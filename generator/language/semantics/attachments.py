@@ -138,7 +138,7 @@ def _is_pile(group: Group) -> bool:
 
 
 def _owners_places(owner: Target, items: Sequence[Noun], how: str, *, first: bool) -> list[Post]:
-    """Return those positions stated for the contents that actually apply to the vessel.
+    """Return the positions that are stated for the contents but actually apply to the vessel.
 
     In "a bowl with two eggs behind the pot", the bowl is behind the pot. In "a bowl with crisps
     behind it", so is the bowl, unless it is the ``first`` object of the text.

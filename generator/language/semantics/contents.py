@@ -31,7 +31,7 @@ DECORATIONS = frozenset({
 
 
 def labels(owner: Noun, inner: Noun) -> bool:
-    """Return whether "of" only names contents or a motif and does not add an object."""
+    """Return whether "of" only introduces contents or a motif and does not add an object."""
     head = owner.head.split()[-1] if owner.head else ""
     if head in DEPICTIONS or (owner.category or "") in ("picture_frame", "photo_print"):
         return True

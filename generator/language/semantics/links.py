@@ -32,7 +32,7 @@ def stack(group: Group) -> None:
 
 
 def unstack(group: Group) -> None:
-    """Take the drafts of a stack apart."""
+    """Undo the stacking of a group of drafts."""
     for draft in group:
         draft.stacked_under = None
         others = [(k, to) for k, to in draft.relations if all(to is not d for d in group)]
@@ -96,7 +96,7 @@ def _link(kind: str, draft: Draft, target: Draft | str, warnings: list[str]) -> 
 
 
 def _put_beside(draft: Draft, targets: Sequence[Draft | str]) -> None:
-    """Put the two objects that another one is between on either side of it, if they are new."""
+    """Put the targets of "between" to the left and right of a draft if they have no relations."""
     for kind, target in zip(("left_of", "right_of"), targets, strict=True):
         if isinstance(target, Draft) and target is not draft and not target.relations:
             target.relate(kind, draft)

@@ -92,7 +92,7 @@ class ListInterpreter(CarryReader, ABC):
             self._attach(place, inner, free)
 
     def _place_all(self, place: Location, found: Sequence[Target]) -> None:
-        """Put all objects in a list at the position of the last one."""
+        """Give all objects of a list the position of the last one."""
         last = found[-1]
         if not isinstance(last, list):
             return

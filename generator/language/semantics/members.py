@@ -196,7 +196,7 @@ class MemberReader(ThingReader, ABC):
         return self._refer(noun, chosen) if chosen else None
 
     def _like_of(self, noun: Noun) -> Draft | None:
-        """Return the object that "another in front of the box" repeats: the last one so placed."""
+        """Return the last object placed like the one in "another in front of the box"."""
         kinds = {post.kind for post in noun.post if isinstance(post, Location)}
         placed = (
             d for d in reversed(self.reading.objects) if kinds & {kind for kind, _ in d.relations}
@@ -229,7 +229,7 @@ class MemberReader(ThingReader, ABC):
         return []
 
     def _superlative(self, noun: Noun) -> Group:
-        """Return the one that "the smallest" or "the middle one" means in the last group."""
+        """Return the object that "the smallest" or "the middle one" means in the last group."""
         groups = self._groups()
         if not groups:
             return []

@@ -154,7 +154,7 @@ def _last_arranged(objects: Sequence[Draft]) -> Group:
 
 
 def _find_by_head(objects: Sequence[Draft], noun: Noun) -> Group:
-    """Return the objects, such as the tea tin, that "the tin" may mean by their last word."""
+    """Return the objects whose names end with the noun: "the tin" may mean the tea tin."""
     head = noun.head.split()[-1:]
     if len(noun.head.split()) > 1 or not head:
         return []

@@ -35,7 +35,7 @@ _SHOWN = ("POSITION", "TEXCOORD_0", "COLOR_0")
 
 
 def plain_glb(raw: bytes, what: str) -> bytes:
-    """Return a GLB file with the extensions that this module decodes removed; others are unchanged.
+    """Return a GLB file without the extensions that this module decodes; other files are unchanged.
 
     The positions, texture coordinates and colours of the meshes' triangles are kept.
 

@@ -139,7 +139,7 @@ def _over(box: Box, below: Box) -> bool:
 def _false(
     boxes: Mapping[str, Box], placed: Mapping[str, Box], standing: Collection[str], unit: float
 ) -> dict[str, str]:
-    """Return a remark for each drawn box that geometry contradicts; ``unit`` is in pixels."""
+    """Return a remark for each drawn box that contradicts the geometry; ``unit`` is in pixels."""
     remarks: dict[str, str] = {}
     for name in (n for n in placed if n in boxes):
         box, there = boxes[name], placed[name]
@@ -210,7 +210,7 @@ def _fit(here: Sequence[Box], there: Sequence[Box]) -> _Carried | None:
 
 
 def _by_ends(ends: Float[np.ndarray, "3"] | None, top: TopView) -> _Carried | None:
-    """Return the scale and shift that map the tabletop's left, right and far ends into its box."""
+    """Return the scale and shift that map the tabletop's left, right and far ends onto its box."""
     if ends is None or ends[1] - ends[0] < 1e-6:
         return None
     left, far, right, _ = top.table_box

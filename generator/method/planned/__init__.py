@@ -1,4 +1,4 @@
-"""Corrections of a reconstruction by its text's plan, which the paper does not include.
+"""Correction of a reconstruction using the plan of its text; this step is not in the paper.
 
 Image models omit, hide, duplicate and misplace objects. Image-to-3D models guess the sides that no
 picture shows. The plan lists the requested objects, their approximate sizes, supports and

@@ -164,7 +164,7 @@ def _plan_warning(name: str, reason: str, told: bool) -> str:
 
 
 def _list_grouped(plan: ScenePlan, besides: Collection[str] = ()) -> set[str]:
-    """Return the names of the objects in groups, except in groups of the kinds ``besides``."""
+    """Return the names of the objects in groups, except groups of the kinds in ``besides``."""
     groups = [g for g in plan.groups if g.kind not in besides]
     return {n for g in groups for n in (*g.members, *([g.around] if g.around else []))}
 

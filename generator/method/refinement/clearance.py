@@ -1,4 +1,4 @@
-"""The cost that keeps objects apart and on the table, from their outlines at shared heights."""
+"""The cost that keeps objects apart and on the table, computed from outlines at shared heights."""
 
 from __future__ import annotations
 

@@ -43,7 +43,7 @@ def margin(rounds: Rows, order: int = 1) -> float:
 
 
 def widths(objective: Objective, found: list[RotationCandidate]) -> list[float]:
-    """Return the change of yaw, in (0, pi] radians, that raises each loss by the fraction ``RISE``.
+    """Return the change in yaw, in (0, pi] radians, that raises each loss by the fraction ``RISE``.
 
     It is computed from the second difference at the best pose of each object of the objective, and
     is pi if the loss has no minimum there.

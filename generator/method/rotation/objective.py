@@ -88,7 +88,7 @@ class Objective:
         return self.compare(self.render(poses), self.target, poses.owner)
 
     def place(self, poses: Candidates) -> tuple[Float[Tensor, "b 3 3"], Float[Tensor, "b 3"]]:
-        """Return the candidates' rotations from object to camera axes and centres in metres."""
+        """Return the candidates' object-to-camera rotations, and their centres in metres."""
         from ...render import soft
 
         owner = poses.owner
@@ -131,7 +131,7 @@ class Objective:
 
 @dataclass(frozen=True, eq=False)
 class Levels:
-    """Objectives of the same objects at three resolutions; ``close()`` is created on first use."""
+    """Objectives of the same objects at three resolutions; ``close()`` builds one on first use."""
 
     coarse: Objective
     fine: Objective

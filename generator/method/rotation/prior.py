@@ -41,7 +41,7 @@ def agrees(yaw: float, prior: float | None) -> bool:
 
 
 def prefer(found: list[RotationCandidate], prior: float | None) -> list[RotationCandidate]:
-    """Return the candidates; one that agrees with the prior yaw comes first if it fits as well.
+    """Return the candidates, led by one that agrees with the prior yaw if it fits equally well.
 
     If the best candidate does not agree with the prior, the supported one is the best that does. It
     is moved to the front only if the losses of the two cannot be distinguished.

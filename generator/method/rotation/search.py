@@ -209,7 +209,7 @@ def losses_at(
 def select(
     yaws: Float[np.ndarray, "n"], losses: Float[np.ndarray, "n"], config: RotationConfig
 ) -> list[int]:
-    """Return the indices of up to ``candidates`` best yaws, at least ``separation`` apart."""
+    """Return the indices of the best yaws: up to ``candidates``, at least ``separation`` apart."""
     chosen: list[int] = []
     for k in np.argsort(losses, kind="stable"):
         if all(abs(wrap(yaws[k] - yaws[n])) >= config.separation - 1e-6 for n in chosen):

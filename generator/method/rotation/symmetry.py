@@ -42,7 +42,7 @@ def looks_order(objective: Objective, number: int, yaw: float, flat: float) -> i
 
 
 def turning_changes(objective: Objective, number: int) -> float:
-    """Return the largest change (Eq. 1) of an object's render by rotation, less sampling noise."""
+    """Return the largest change (Eq. 1) that rotation makes to a render, less sampling noise."""
     yaws = np.arange(_TURNS) * (2 * np.pi / _TURNS)
     return float(_changes(objective, number, yaws).max())
 
@@ -50,7 +50,7 @@ def turning_changes(objective: Objective, number: int) -> float:
 def _changes(
     objective: Objective, number: int, yaws: Float[np.ndarray, "n"]
 ) -> Float[np.ndarray, "n"]:
-    """Return how much each render differs from that at the first yaw, less sampling noise."""
+    """Return how much each render differs from the one at the first yaw, less sampling noise."""
     import torch
 
     # Half of the points render the first yaw; the other half render all yaws. The loss between the

@@ -314,7 +314,7 @@ def _wedge(r: float, angle: float, low: float, high: float) -> Solid:
           aliases=("slice of cake", "piece of cake", "cake piece", "slice of chocolate cake"),
           themes=("coffee",), roles=("edible",), colors=("brown", "pink"))  # fmt: skip
 def cake_slice(look: Look) -> Shape:
-    """A slice of layer cake with cream and a berry on top and its tip pointing to the front."""
+    """A slice of layer cake, topped with cream and a berry, with its tip pointing to the front."""
     r, angle, h = look.between(0.095, 0.115), look.between(0.7, 0.9), look.between(0.06, 0.075)
     tone = look.color("brown", "cream", "pink", "yellow", "white")
     sponge = surfaces.spots(look.rng, look.pick([(226, 184, 118), (110, 68, 44), (170, 44, 46)]),

@@ -136,7 +136,7 @@ EARS = ("ear", "square", "ring")
           aliases=("tea cup", "espresso cup"), themes=("coffee", "dining"),
           roles=("container", "round"), colors=("white", "cream", "pink"), common=True)  # fmt: skip
 def teacup(look: Look) -> Shape:
-    """A wide, thin cup with a handle and a foot: bowl-shaped, tulip-shaped or straight."""
+    """A wide, thin-walled cup with a handle and a foot: bowl-shaped, tulip-shaped or straight."""
     r, h, wall = look.between(0.04, 0.05), look.between(0.052, 0.07), 0.0035
     foot = look.between(0.46, 0.6) * r
     color = look.color(

@@ -23,7 +23,7 @@ CREAM: RGB = (250, 244, 230)
           aliases=("fruit scone", "cheese scone", "rock cake", "soda scone"),
           themes=("coffee", "tea"), roles=("edible", "round"))  # fmt: skip
 def scone(look: Look) -> Shape:
-    """A tall scone, split around its middle, with fruit inside or cream and jam on top."""
+    """A tall scone, split around its middle, with fruit inside or with cream and jam on top."""
     r, h = look.between(0.032, 0.037), look.between(0.042, 0.05)
     low = lathe([(0, 0), (0.94 * r, 0), (0.97 * r, 0.45 * h), (0, 0.45 * h)], 26)
     top = lathe([(0, 0.47 * h), (r, 0.48 * h), (0.98 * r, 0.86 * h), (0.8 * r, h), (0, h)], 26)
@@ -290,7 +290,7 @@ def eclair(look: Look) -> Shape:
           aliases=("slice of pie", "piece of pie", "slice of apple pie", "slice of quiche"),
           themes=("coffee",), roles=("edible",), colors=("amber",))  # fmt: skip
 def pie_slice(look: Look) -> Shape:
-    """A slice of pie with a filling between two crusts and its rim at the back."""
+    """A slice of pie with its rim at the back and a filling between two crusts."""
     r, angle, h = look.between(0.105, 0.125), look.between(0.7, 0.9), look.between(0.032, 0.04)
     crust = skin(look, (214, 164, 98), (166, 110, 58), 0.6)
     tone = look.color("orange", "crimson", "indigo", "amber", "brown")

@@ -53,7 +53,7 @@ def easel(look: Look) -> Shape:
           aliases=("bottle of paint", "paint", "paint pot"), themes=("craft",),
           roles=("tall", "round"), colors=("red", "blue", "yellow"), common=True)  # fmt: skip
 def paint_bottle(look: Look) -> Shape:
-    """A bottle of paint with a label in the paint's colour and a pump, a nozzle or a wide cap."""
+    """A bottle of paint with a label in the paint's colour, and with a pump, nozzle or wide cap."""
     r, h = look.between(0.033, 0.04), look.between(0.128, 0.152)
     color = look.color(
         *("red", "blue", "yellow", "green", "purple", "orange", "teal", "pink", "white", "brown")

@@ -164,7 +164,7 @@ def wine_bottle(look: Look) -> Shape:
 
 
 def sauce_bottle(look: Look) -> Shape:
-    """A squeeze bottle standing on its cap, or a glass bottle, of ketchup, mustard or hot sauce."""
+    """A bottle of ketchup, mustard or hot sauce: a squeeze bottle on its cap, or a glass bottle."""
     r, h = look.between(0.028, 0.034), look.between(0.14, 0.17)
     color = look.color("red", "yellow", "red", "brown", "green", "cream", "orange", "black")
     kind = look.pick(["squeeze", "squeeze", "glass", "turned"])
@@ -223,7 +223,7 @@ def mustard_bottle(look: Look) -> Shape:
           themes=("dining", "kitchen"), roles=("tall", "round"),
           colors=("cream", "olive"))  # fmt: skip
 def salad_dressing(look: Look) -> Shape:
-    """A slim-waisted, wide-capped bottle of salad dressing, with herbs in it or in two layers."""
+    """A slim-waisted, wide-capped bottle of salad dressing with either herbs or two layers."""
     r, h = look.between(0.03, 0.036), look.between(0.19, 0.225)
     color = look.color("cream", "white", "olive", "orange", "amber", "mustard", "pink", "green")
     layered = look.chance(0.4)

@@ -96,7 +96,7 @@ def tureen(look: Look) -> Shape:
           aliases=("fruit bowl", "bird bath"), themes=("dining",),
           roles=("container", "round", "big"), colors=("wooden", "white"))  # fmt: skip
 def serving_bowl(look: Look) -> Shape:
-    """A large, deep serving bowl of wood, glass or porcelain for salad or fruit."""
+    """A large, deep serving bowl for salad or fruit, made of wood, glass or porcelain."""
     r, h = look.between(0.115, 0.14), look.between(0.085, 0.105)
     color = look.color("wooden", "white", "teal", "cream", "navy", "terracotta")
     plain = look.surface(color, look.pick(["wood", "ceramic"]))

@@ -664,7 +664,7 @@ def _bun(look: Look) -> surfaces.Tile:
 
 
 def _drooping(p: np.ndarray, r: float) -> np.ndarray:
-    """Return the points, bent downwards outside the radius ``r``."""
+    """Return the points, with those outside the radius ``r`` bent downwards."""
     beyond = np.maximum(np.hypot(p[:, 0], p[:, 1]) - r, 0)
     return np.column_stack([p[:, :2], p[:, 2] - 0.7 * beyond])
 

@@ -26,7 +26,7 @@ def _roast(look: Look) -> surfaces.Tile:
           "cooked chicken"), themes=("dining",), roles=("edible", "big"),
           colors=("amber",))  # fmt: skip
 def roast_chicken(look: Look) -> Shape:
-    """A whole roast chicken on an oval platter with its legs on the right and lettuce around it."""
+    """A whole roast chicken, ringed by lettuce on an oval platter, with its legs on the right."""
     k = look.between(0.9, 1.1)
     body = ellipsoid(0.19, 0.15, 0.12, 26, 16).move(z=0.075)
     breast = [ellipsoid(0.14, 0.085, 0.09, 18, 10).move(-0.02, s * 0.028, 0.1) for s in (-1, 1)]

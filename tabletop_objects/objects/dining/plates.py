@@ -106,7 +106,7 @@ def lazy_susan(look: Look) -> Shape:
 
 
 def plate(look: Look) -> Shape:
-    """A dinner plate with a low or wide rim, or a coupe plate, with painted rings and glazes."""
+    """A glazed dinner plate with a low or wide rim, or a coupe plate, often with painted rings."""
     r, h, t = look.between(0.11, 0.14), look.between(0.017, 0.028), 0.0045
     color = look.color(*("white", "white", "cream", "blue", "sage", "terracotta", "gray", "black",
                          "teal"), *("pink", "mustard", "navy"))  # fmt: skip

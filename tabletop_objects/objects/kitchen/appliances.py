@@ -33,7 +33,7 @@ from .grills import _panel, griddle, turn_knob
           assembled=True, aliases=("egg timer", "cooking timer"), themes=("kitchen",),
           colors=("red", "white"))  # fmt: skip
 def kitchen_timer(look: Look) -> Shape:
-    """A kitchen timer: a round dial on a stand, or an egg or a tomato that twists."""
+    """A kitchen timer: a round dial on a stand, or a twist timer shaped like an egg or a tomato."""
     d = look.between(0.06, 0.072)
     color = look.color("red", "white", "yellow", "sky", "orange", "mint", "black", "silver")
     skin = look.surface(color, "plastic")
@@ -625,7 +625,7 @@ def mincer(look: Look) -> Shape:
           aliases=("food slicer", "bread slicer", "ham slicer", "deli slicer"), themes=("kitchen",),
           roles=("big",), colors=("silver",))  # fmt: skip
 def meat_slicer(look: Look) -> Shape:
-    """A meat slicer: a large, round blade on a motor block and a sliding tray with a sausage."""
+    """A meat slicer: a large, round blade on a motor block, and a sliding tray with a sausage."""
     k, color = look.between(0.88, 1.02), look.color("silver", "red", "white", "black")
     base = block(0.3, 0.18, 0.05, 0.03, 0.006)
     motor = block(0.1, 0.1, 0.1, 0.03, 0.01).move(0.08, 0.03, 0.045)

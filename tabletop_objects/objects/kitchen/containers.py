@@ -70,7 +70,7 @@ Make = Callable[[Look], Shape]
 
 def tub(words: tuple[str, ...], palette: tuple[str, ...], form: tuple[float, float, float],
         oval: bool = False) -> Make:  # fmt: skip
-    """Return a plastic tub with a printed lid, round or rectangular with rounded corners."""
+    """Return a plastic tub, either round or a rounded rectangle, with a printed lid."""
 
     def make(look: Look) -> Shape:
         k = look.between(0.93, 1.07)

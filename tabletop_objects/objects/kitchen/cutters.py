@@ -228,7 +228,7 @@ def egg_slicer(look: Look) -> Shape:
           themes=("kitchen",), roles=("flat",), colors=("black", "red"),
           state="lying flat")  # fmt: skip
 def peeler(look: Look) -> Shape:
-    """A vegetable peeler lying flat: a Y-peeler or a straight one."""
+    """A vegetable peeler lying flat: a Y-peeler or a straight peeler."""
     color = look.color("black", "red", "green", "white", "orange", "teal", "silver", "yellow")
     skin, steel = look.surface(color, "plastic"), bright_steel(look)
     if look.chance(0.6):

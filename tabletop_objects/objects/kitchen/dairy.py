@@ -128,7 +128,7 @@ def mozzarella(look: Look) -> Shape:
           "gouda wheel", "wheel of brie", "wheel of gouda", "wheel of camembert", "cheese round"),
           themes=("kitchen",), roles=("edible", "round"), colors=("yellow",))  # fmt: skip
 def cheese_wheel_(look: Look) -> Shape:
-    """A round cheese with a slice cut out, or a small white one."""
+    """A round, labelled cheese with a slice cut out."""
     r, h = look.between(0.07, 0.095), look.between(0.045, 0.06)
     color = look.color("yellow", "golden", "red", "orange", "cream")
     a = np.linspace(-1.15, 2 * np.pi - 2.0, 40)

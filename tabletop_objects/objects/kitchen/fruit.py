@@ -415,13 +415,13 @@ class Globe:
 
 
 def _ways(count: int, low: float = -0.72, high: float = 0.97) -> Float[np.ndarray, "n 2"]:
-    """Return the polar and azimuth angles of ``count`` points spread evenly over a sphere."""
+    """Return polar and azimuth angles of ``count`` points spread evenly over most of a sphere."""
     rise = np.linspace(high, low, count)
     return np.column_stack([np.arccos(rise), 2.4 * np.arange(count)])
 
 
 def _over(kind: Globe, r: float, one: Callable[[], Solid], sink: float) -> Solid:
-    """Return copies of ``one()``, a solid at z = 0, spread over a fruit and sunk in by ``sink``."""
+    """Spread copies of the solid ``one()`` (at z = 0) over a fruit, each sunk in by ``sink``."""
     made = []
     for polar, around in _ways(kind.bumps):
         solid = one().move(z=-sink).turn(1, polar).turn(2, around)

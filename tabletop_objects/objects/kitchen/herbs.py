@@ -37,7 +37,7 @@ def _single(
 
 
 def _bunch(look: Look, kind: str) -> Shape:
-    """Return a bunch of herbs tied with a string, lying flat with its stalks on the left."""
+    """Return a bunch of herbs tied with a string; it lies flat with its stalks on the left."""
     long = look.between(0.13, 0.17)
     color = look.color(*{"rosemary": ("sage", "olive"), "parsley": ("green",),
                          "basil": ("green",), "mint": ("green", "lime")}[kind])  # fmt: skip

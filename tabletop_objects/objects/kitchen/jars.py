@@ -135,7 +135,7 @@ CLEAR: RGB = (208, 218, 216)
 
 
 def _jar(look: Look, inside: surfaces.Tile, word: str, lid: RGB, *, band: bool = True) -> Shape:
-    """Return a glass jar with a screw lid, a label and contents with the texture ``inside``."""
+    """Return a glass jar with a screw lid and a label; ``inside`` is its contents' texture."""
     r, h = look.between(0.034, 0.04), look.between(0.1, 0.125)
     body = lathe([(0, 0), (0.92 * r, 0), (r, 0.04 * h), (r, 0.72 * h), (0.84 * r, 0.83 * h),
                   (0.8 * r, 0.86 * h), (0, 0.86 * h)], 32,
@@ -215,7 +215,7 @@ def _peanut_butter_jar(
     look: Look, r: float, h: float, fill: RGB, label: surfaces.Tile, lid: surfaces.Tile,
     *, sides: int = 32, neck: float = 0.8, wide: tuple[float, float] = (0.2, 0.68),
 ) -> Shape:  # fmt: skip
-    """Return a jar with a screw lid, a label and contents of the colour ``fill``."""
+    """Return a jar with a screw lid and a label; ``fill`` is the colour of its contents."""
     body = vessel(r, h, neck * r, 0.8 * h, 0.93 * h, sides=sides)
     skin = surfaces.spots(look.rng, fill, tint_color(fill, 0.75), 0.08)
     low, high = wide

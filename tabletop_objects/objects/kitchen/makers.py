@@ -89,7 +89,7 @@ def coffee_machine(look: Look) -> Shape:
           roles=("big",), colors=("silver",))  # fmt: skip
 @vary()
 def pasta_machine(look: Look) -> Shape:
-    """A pasta machine with chrome sides, rollers, a dial and a crank, and a sheet of dough."""
+    """A pasta machine with chrome sides, rollers, a dial, a crank and a sheet of dough."""
     k, color = look.between(0.9, 1.06), look.color("silver", "silver", "red", "black")
     cheeks = [side_view(np.array([(-0.055, 0), (0.055, 0), (0.05, 0.09), (0.03, 0.125),
                                   (-0.03, 0.125), (-0.05, 0.1)]), 0.014)

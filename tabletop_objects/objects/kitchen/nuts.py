@@ -69,7 +69,7 @@ def pecan(look: Look) -> Shape:
 
 @dataclass(frozen=True)
 class Heap:
-    """A heap of grains; ``r`` is its range of radii and ``grain`` the size of a grain, in metres.
+    """A heap of grains: ``r`` is the range of its radius and ``grain`` a grain's size, in metres.
 
     ``form`` names the shape of a grain: "ball", "chip", "cube", "strand", "ring", or "powder" for
     no visible grains.

@@ -19,7 +19,7 @@ from .utensils import bright_steel, with_handle
           "waiters friend", "waiter's friend", "sommelier knife"), themes=("kitchen", "dining"),
           colors=("silver", "wooden"), state="lying flat")  # fmt: skip
 def corkscrew(look: Look) -> Shape:
-    """A corkscrew lying flat: a winged one of steel, or a screw with a wooden handle."""
+    """A corkscrew lying flat: a winged metal corkscrew, or a screw with a wooden handle."""
     color = look.color("wooden", "black", "brown", "red", "silver", "maroon")
     a = np.linspace(0, 6 * 2 * np.pi, 66)
     steel = bright_steel(look)

@@ -153,7 +153,7 @@ def dish_rack(look: Look) -> Shape:
           "wine bottle holder"), themes=("kitchen", "dining"), roles=("big", "support"),
           colors=("wooden", "black"), opened="empty_wine_rack")  # fmt: skip
 def wine_rack(look: Look) -> Shape:
-    """A wooden or wire wine rack with two rows and some bottles lying in it."""
+    """A two-row wooden wine rack, sometimes with metal rails, that holds some bottles."""
     pitch, y = look.between(0.1, 0.108), look.between(0.19, 0.22)
     columns = look.pick([2, 3, 3])
     x = columns * pitch
@@ -199,7 +199,7 @@ _Placed = tuple[float, float, float, float, float, float]  # dimensions of a box
 
 
 def read_request(look: Look, places: int, room: Extent) -> tuple[int, Extent]:
-    """Return the requested number of slots and object size, or else ``places`` and ``room``."""
+    """Return the requested number of slots and object size, by default ``places`` and ``room``."""
     count = int(look.attributes.get("places", places))
     return count, read_room(look.attributes.get("room"), room)
 
@@ -210,7 +210,7 @@ def centres(count: int, pitch: float) -> list[float]:
 
 
 def choose_slots(centres: list[float], count: int, z: float) -> list[Slot]:
-    """Return ``count`` slots at height ``z``, spread evenly over the x positions ``centres``."""
+    """Return ``count`` slots at height ``z``, with x positions chosen evenly from ``centres``."""
     which = np.linspace(0, len(centres) - 1, count).round().astype(int)
     return [Slot(np.array([centres[k], 0.0, z])) for k in which]
 
@@ -229,7 +229,7 @@ def _wire(a: Extent, b: Extent, r: float = 0.0025) -> Solid:
           aliases=("empty plate rack",), themes=("kitchen",), roles=("big",),
           colors=("silver", "black"), holder=Holder("edge", (0.1, 0.36, 0.3)))  # fmt: skip
 def empty_dish_rack(look: Look) -> Shape:
-    """An empty wire dish rack on a drip tray; two rails carry the dishes between pegs."""
+    """An empty wire dish rack on a drip tray, with two rails that hold dishes between pegs."""
     count, (a, b, c) = read_request(look, 4, (0.024, 0.25, 0.25))
     color = look.color("silver", "black", "white", "silver", "copper", "sage")
     wire = look.surface(color, "metal")

@@ -327,7 +327,7 @@ def flatfish(look: Look) -> Shape:
 
 
 def ring(look: Look) -> Shape:
-    """A battered ring of squid."""
+    """A battered squid ring."""
     r, t = look.between(0.021, 0.027), look.between(0.007, 0.009)
     body = torus(r, t, 26, 10).scale(1, 0.92, 1.0)
     batter = surfaces.spots(look.rng, tint_color(look.color("amber", "tan"), 1.1), FRIED, 0.35)

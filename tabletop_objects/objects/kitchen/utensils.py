@@ -438,7 +438,7 @@ def with_handle(
     palette: tuple[str, ...] = HUES,
     r: float = 0.009,
 ) -> Callable[[Look], Shape]:
-    """Return the shape function of a tool lying flat, with the given head, a neck and a grip."""
+    """Return the shape function of a tool that lies flat and has the given head, neck and grip."""
 
     def make(look: Look) -> Shape:
         long, color = look.between(*grip), look.color(*palette)

@@ -278,7 +278,7 @@ OKRA_GREEN: RGB = (92, 140, 62)
 
 @dataclass(frozen=True)
 class Pod:
-    """A long fruit, vegetable or pod; ``long`` is its range of lengths in metres.
+    """A long fruit, vegetable or pod; ``long`` is the range of its length in metres.
 
     ``r`` gives its radii from left to right and ``bend`` how far it curves, both relative to its
     length; ``skin`` names its surface and ``end`` the shape of its right end.

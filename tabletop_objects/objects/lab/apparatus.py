@@ -452,7 +452,7 @@ def ant_farm(look: Look) -> Pieces:
           "alchemist apparatus"), themes=("lab",), roles=("tall",), colors=("clear",))  # fmt: skip
 @from_pieces()
 def kipps_apparatus(look: Look) -> Pieces:
-    """Kipp's apparatus: a tower of glass bulbs with taps on a stand."""
+    """Kipp's apparatus: a tower of three glass vessels with a tap at the side."""
     foot = standing((0.05, 0), (0.055, 0.01), (0.06, 0.05), (0.03, 0.085))
     middle = ball(0.09, 0.09, 0.08, (0, 0, 0.12), 22)
     upper = ball(0.1, 0.1, 0.085, (0, 0, 0.205), 22)
@@ -493,7 +493,7 @@ CENTRIFUGE_BLACK = surfaces.plain((34, 34, 37))
           roles=("big",), colors=("white",))  # fmt: skip
 @from_pieces(bodies=2)
 def centrifuge(look: Look) -> Pieces:
-    """A bench centrifuge: a rounded case, keys and a clear lid over a rotor with tubes."""
+    """A bench centrifuge: a rounded case with keys and a clear lid over a rotor with tubes."""
     shell = plastic(look, "white", "gray", "sky")
     body = at_block(0.22, 0.25, 0.1, 0.05)
     rim = torus(0.088, 0.007, 40, 8).move(0, 0.02, 0.1)

@@ -124,7 +124,7 @@ HAMSTER_DARK: RGB = (26, 24, 26)
 
 
 def eyes(x: float, y: float, z: float, d: float) -> Solid:
-    """Return two round eyes of diameter ``d``, at the distance ``y`` on each side of y = 0."""
+    """Return two round eyes of diameter ``d``, centred at (x, y, z) and (x, -y, z)."""
     return join([ball(d, d, d, (x, s * y, z), 8) for s in (-1, 1)])
 
 

@@ -80,7 +80,7 @@ def satchel(look: Look) -> Shape:
           aliases=("fanny pack", "bum bag", "hip pack", "belt bag", "waist pack"),
           themes=("living",), roles=("big",), colors=("black",))  # fmt: skip
 def waist_bag(look: Look) -> Shape:
-    """A waist bag lying flat: a zipped pouch with its belt looped behind."""
+    """A waist bag lying flat: a zipped pouch with its belt looped behind it."""
     color = look.color("black", "pink", "teal", "red", "navy", "orange")
     k = look.between(0.85, 1.1)
     pouch = block(0.2, 0.075, 0.1, 0.034, 0.016)
@@ -269,7 +269,7 @@ def purse(look: Look) -> Shape:
           aliases=("clutch bag", "evening bag", "clutch purse"), themes=("living",),
           roles=("flat",), colors=("black", "gold"), state="lying flat")  # fmt: skip
 def clutch(look: Look) -> Shape:
-    """An evening bag with a flap like an envelope's, lying flat."""
+    """An envelope-shaped evening bag with a flap, lying flat."""
     x, y, h = look.between(0.22, 0.26), look.between(0.13, 0.15), look.between(0.026, 0.034)
     color = look.color("black", "gold", "silver", "red", "pink", "navy", "purple")
     body = pad(x, y, h, 0.01, soft=0.4, steps=4)
@@ -286,7 +286,7 @@ def clutch(look: Look) -> Shape:
           "schoolbag", "book bag", "pannier", "packing cube"), themes=("living",),
           roles=("big", "tall"), colors=("red", "navy"))  # fmt: skip
 def backpack(look: Look) -> Shape:
-    """A small, upright backpack with a front pocket, zips, a loop and straps behind."""
+    """A small, upright backpack with a front pocket, zips and a loop, and straps at the back."""
     color = look.color("red", "navy", "green", "gray", "black", "teal", "mustard", "pink")
     x, y, h = 0.2, 0.11, 0.27
     body = _body(x, y, h, [(0.95, 0.95, 0), (1, 1, 0.05), (1, 1, 0.6), (0.92, 0.9, 0.85),

@@ -51,7 +51,7 @@ def heart_box(look: Look) -> Pieces:
           aliases=("box of tissues", "tissues", "facial tissues", "kleenex", "kleenex box"),
           themes=("living", "office", "vanity"), colors=("sky", "white"), common=True)  # fmt: skip
 def tissue_box(look: Look) -> Shape:
-    """A box of tissues with one sticking out of its slot."""
+    """A box of tissues with one tissue sticking out of its slot."""
     cube = look.chance(0.35)
     x = look.between(0.11, 0.12) if cube else look.between(0.21, 0.24)
     y, h = look.between(0.108, 0.12), look.between(0.115, 0.13) if cube else look.between(0.06, 0.1)
@@ -233,7 +233,7 @@ def wooden_box(look: Look) -> Shape:
           aliases=("musical box", "musical box toy"), themes=("living",),
           colors=("wooden", "red"))  # fmt: skip
 def music_box(look: Look) -> Shape:
-    """A music box with a crank, whose drum and comb are visible on top."""
+    """A music box with a crank, and with its drum and comb visible on top."""
     color = look.color("wooden", "red", "brown", "teal", "navy", "pink")
     k = look.between(0.85, 1.2)
     base = block(0.09, 0.07, 0.045, 0.004, 0.002)

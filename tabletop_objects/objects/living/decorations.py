@@ -784,7 +784,7 @@ def jack_o_lantern(look: Look) -> Shape:
     r = 0.53 * d
 
     def carve(points: list[tuple[float, float]]) -> Solid:
-        """Return a dark patch on a pumpkin's front; its corners (x, z) are in pumpkin widths."""
+        """Return a dark patch on a pumpkin's front with the corners (x, z), in pumpkin widths."""
         plate = refine(refine(standing_plate(np.array(points) * d, 0.1 * d)))
 
         def wrap(p: np.ndarray) -> np.ndarray:

@@ -23,7 +23,7 @@ from .cleaners import STEEL
           "diffuser", "dehumidifier"), themes=("living",), colors=("white",))  # fmt: skip
 @from_pieces(bodies=2)
 def humidifier(look: Look) -> Pieces:
-    """A soft, drop-shaped diffuser or humidifier with a seam and a wisp of mist."""
+    """A rounded, drop-shaped diffuser or humidifier with a seam and a wisp of mist."""
     color = look.color("white", "wooden", "cream", "sky", "sage")
     low = standing((0.05, 0), (0.056, 0.01), (0.058, 0.05))
     high = standing((0.058, 0.052), (0.05, 0.09), (0.026, 0.125), (0.012, 0.135))
@@ -122,7 +122,7 @@ def e_reader(look: Look) -> Shape:
           aliases=("remote", "tv remote", "remote controller"), themes=("living",), roles=("flat",),
           colors=("black",), state="lying flat", common=True)  # fmt: skip
 def remote_control(look: Look) -> Shape:
-    """A television remote control lying with its buttons up and pointing away from the viewer."""
+    """A television remote control that lies with its buttons up and points away from the viewer."""
     x, y, h = look.between(0.038, 0.052), look.between(0.145, 0.2), look.between(0.012, 0.021)
     color = look.color("black", "black", "charcoal", "white", "gray", "silver", "navy", "beige")
     body = block(x, y, h, look.pick([0.004, 0.012, 0.018]), 0.004)

@@ -169,7 +169,7 @@ def _face(z: float, y: float, r: float) -> list[Solid]:
           colors=("gold", "bronze"))  # fmt: skip
 @from_pieces(bodies=4)
 def buddha_statue(look: Look) -> Pieces:
-    """A seated Buddha with crossed legs and with hands in the lap, on a lotus seat."""
+    """A Buddha sitting cross-legged on a lotus seat with its hands in its lap."""
     tile = _cast(look, "gold", "bronze", "gray", "sage", "charcoal")
     seat = standing((0.055, 0), (0.06, 0.006), (0.05, 0.014), (0.056, 0.024), (0.05, 0.026))
     legs = [ball(0.062, 0.042, 0.03, (s * 0.03, -0.012, 0.036), 16) for s in (-1, 1)]
@@ -190,7 +190,7 @@ def buddha_statue(look: Look) -> Pieces:
           colors=("gray",))  # fmt: skip
 @from_pieces(bodies=4)
 def buddha_head(look: Look) -> Pieces:
-    """A Buddha head with long ears, rows of curls and closed eyes, on a neck and a base."""
+    """A Buddha head on a neck and a base, with long ears, rows of curls and closed eyes."""
     tile = _cast(look, "gray", "gold", "bronze", "cream", "charcoal")
     base = at_block(0.08, 0.07, 0.02, 0.01)
     neck = standing((0.03, 0.02), (0.026, 0.05))
@@ -343,7 +343,7 @@ GOLD = (222, 180, 80)
 
 
 def _trunk(color: RGB, look: Look) -> tuple[Solid, Pieces]:
-    """Return the solid of a figure's coat, and the textured coat, trim, belt and buckle."""
+    """Return a figure's coat as a solid, then the textured coat, trim, belt and buckle."""
     coat = lathe([(0, 0), (0.036, 0), (0.04, 0.014), (0.03, 0.056), (0.018, 0.078), (0, 0.082)], 22)
     trim = torus(0.037, 0.0055, 24, 8).move(z=0.0075)
     belt = torus(0.0372, 0.0045, 24, 6).scale(1, 1, 1.2).move(z=0.03)
@@ -455,7 +455,7 @@ def nutcracker(look: Look) -> Shape:
           "scrimshaw", "plaster cast", "garden ornament"), themes=("living", "office"),
           roles=("tall",), colors=("white", "bronze"), common=True)  # fmt: skip
 def sculpture(look: Look) -> Shape:
-    """A small sculpture on a plinth: a bust, a twist or balanced stones."""
+    """A small sculpture on a plinth: a bust, figure, twisted column, ring or stack of stones."""
     color = look.color("white", "bronze", "black", "gray", "gold", "terracotta", "teal", "pink")
     stone = look.surface(color, look.pick(["marble", "bronze", "stone"]))
     base = block(0.085, 0.085, 0.026, 0.004, 0.002)
@@ -653,7 +653,7 @@ FIGURES: MappingProxyType[str, Callable[[], Named]] = MappingProxyType(
           "bonnet ornament", "lladro figurine", "kissing couple figurine"),
           themes=("living", "office"), colors=("white", "brown"), common=True)  # fmt: skip
 def figurine(look: Look) -> Shape:
-    """A stylised animal or person, painted or of one material, often on a small base."""
+    """A stylised animal or person, painted or made of one material, often on a small base."""
     made = FIGURES[look.pick(sorted(FIGURES))]()
     k, finish = look.between(0.85, 1.1), look.pick(["painted", "painted", "glazed", "one"])
     color = look.color("white", "cream", "gray", "brown", "orange", "teal", "pink", "gold", "black")
@@ -704,7 +704,7 @@ def matryoshka(look: Look) -> Shape:
 
 
 def _paint(look: Look, color: RGB, scarf: RGB) -> Tile:
-    """Return a nesting doll's texture: u runs around it, with the face at 0.5, and v upwards."""
+    """Return a nesting doll's texture: u runs around it (its face is at 0.5), and v runs up."""
     image = prints.canvas(256, 192, color)
     apron, petal = (look.own_color("cream", "white", "mustard", "sky"),
                     look.own_color("red", "pink", "blue"))  # fmt: skip

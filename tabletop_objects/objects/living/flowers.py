@@ -23,7 +23,7 @@ GREEN: RGB = (84, 126, 64)
 
 
 def layered_head(rows: Rows, heart: float = 0.0, eye: RGB | None = GOLD, fade: float = 0.1) -> Head:
-    """Return the drawing function of a flower with rings of petals, darker towards the centre."""
+    """Return the drawing function of a flower whose rings of petals darken towards the centre."""
 
     def head(look: Look, color: RGB) -> Pieces:
         made: Pieces = []
@@ -96,7 +96,7 @@ def bell(r: float, long: float) -> Solid:
 
 def spike(count: int, long: float, wide: float, size: float, droop: float, *, one_side: bool = False
           ) -> Head:  # fmt: skip
-    """Return the drawing function of a spike of bell-shaped flowers, tilted down by ``droop``."""
+    """Return the drawing function of a spike of bell-shaped flowers that ``droop`` tilts down."""
 
     def head(look: Look, color: RGB) -> Pieces:
         bells = []
@@ -125,7 +125,7 @@ def daffodil(look: Look, color: RGB) -> Pieces:
 
 
 def iris(look: Look, color: RGB) -> Pieces:
-    """Return an iris head with three falling petals, three upright ones and yellow tongues."""
+    """Return an iris head: three falling petals, three upright petals and yellow tongues."""
     fall, stand, tongue = [], [], []
     for k in range(3):
         a = 2 * np.pi * k / 3
@@ -168,7 +168,7 @@ def pansy(look: Look, color: RGB) -> Pieces:
 
 
 def crane(look: Look, color: RGB) -> Pieces:
-    """Return a bird of paradise flower: a green beak, orange petals and a blue arrow."""
+    """Return a bird-of-paradise flower: a green beak, orange petals and a blue, pointed petal."""
     beak = rod([(0, 0, -0.01), (0.02, 0, 0.012), (0.075, 0, 0.03)], [0.006, 0.0085, 0.001], 8)
     flames = [blade([(0.016, 0, 0.01), (0.03 - 0.014 * n, 0.004 * (-1) ** n, 0.045),
                      (0.045 - 0.028 * n, 0.008 * (-1) ** n, 0.085 - 0.004 * n)], 0.017, thick=0.25)

@@ -397,7 +397,7 @@ def jaw_harp(look: Look) -> Pieces:
           themes=("living",), roles=("tall", "big"), colors=("brown",))  # fmt: skip
 @from_pieces()
 def theremin(look: Look) -> Pieces:
-    """A theremin: a wooden case with four knobs, an upright rod and a loop on the left."""
+    """A theremin: a wooden case, four knobs, a loop on the left and an upright rod on the right."""
     tile = wood(look, "brown", "wooden", "black")
     body = at_block(0.22, 0.11, 0.06, 0.012)
     rodded = straight((0.095, 0, 0.055), (0.095, 0, 0.28), 0.0035, 8)
@@ -746,7 +746,7 @@ def pan_pipes(look: Look) -> Pieces:
           state="lying")  # fmt: skip
 @from_pieces(foot=0.05, bodies=2)
 def ocarina(look: Look) -> Pieces:
-    """A glazed, egg-shaped ocarina lying flat, with seven holes on top and a mouthpiece behind."""
+    """A glazed, egg-shaped ocarina lying flat: seven holes on top and a mouthpiece at the back."""
     color = look.color("blue", "teal", "terracotta", "brown", "green")
     tile = surfaces.gradient(tuple(0.75 * c for c in color), color, look.rng)  # type: ignore[arg-type]
     body = ball(0.11, 0.065, 0.045, (0, 0, 0.021), 22).bend(

@@ -71,7 +71,7 @@ WIDE, TALL = 336, 232
           "subway map", "spread map"), themes=("living", "toys"), roles=("flat", "big"),
           colors=("cream",), state="lying flat", common=True)  # fmt: skip
 def map_(look: Look) -> Shape:
-    """A large map spread out, with panels that rise and sink at the creases."""
+    """A large unfolded map with panels that rise and fall at the creases."""
     x, y = look.between(0.42, 0.56), look.between(0.3, 0.4)
     columns, rows = int(look.pick([4, 6, 8])), int(look.pick([2, 3, 4]))
     lift = look.between(0.002, 0.006)
@@ -220,7 +220,7 @@ def _old(image: Canvas, look: Look, land: RGB) -> None:
 
 
 def _lines(image: Canvas, look: Look, land: RGB) -> None:
-    """Draw the map of an underground network with lines and stations."""
+    """Draw the map of an underground railway with its lines and stations."""
     image[:] = np.array(tint_color(land, 1.5), np.uint8)
     prints.stroke(image, _wander(look, True), 0.05, (180, 212, 236))
     inks = ((206, 44, 50), (40, 98, 180), (50, 150, 80), (240, 180, 40), (130, 70, 150))
@@ -311,7 +311,7 @@ def folded_map(look: Look) -> Shape:
 
 
 def _sheet(a: np.ndarray, b: np.ndarray, c: np.ndarray, d: np.ndarray) -> Solid:
-    """Return a 0.2 mm thick sheet; the lower edge of its picture is from corner ``a`` to ``b``."""
+    """Return a 0.2 mm thick sheet; its picture's lower edge runs from corner ``a`` to ``b``."""
     low = np.stack([a, b, c, d])
     faces = [(4, 5, 6), (4, 6, 7), (0, 2, 1), (0, 3, 2), (0, 1, 5), (0, 5, 4), (1, 2, 6), (1, 6, 5),
              (2, 3, 7), (2, 7, 6), (3, 0, 4), (3, 4, 7)]  # fmt: skip

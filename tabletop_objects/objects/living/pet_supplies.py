@@ -319,7 +319,7 @@ def pet_carrier(look: Look) -> Shape:
           aliases=("dog bed", "cat bed", "puppy bed", "pet basket", "dog basket", "cat basket"),
           themes=("living",), roles=("container", "big"), colors=("gray",))  # fmt: skip
 def pet_bed(look: Look) -> Shape:
-    """A round or oval pet bed: a thick, soft rim, lower in front, around a cushion."""
+    """A round or oval pet bed: a cushion inside a thick, soft rim that is lower in front."""
     k, color = (look.between(0.85, 1.05), look.color("gray", "beige", "brown", "blue", "pink",
                                                      "teal"))  # fmt: skip
     r, t, wide = 0.15 * k, 0.042 * k, look.between(1.0, 1.2)
@@ -498,7 +498,7 @@ SLICKER_BRUSH_STEEL: RGB = (190, 194, 200)
           "pin brush", "pet comb"), themes=("living",), colors=("blue",),
           state="lying")  # fmt: skip
 def slicker_brush(look: Look) -> Shape:
-    """A pet brush with its pins up: a flat head full of wire pins on a handle."""
+    """A pet brush lying with its pins up: a handle and a flat head full of wire pins."""
     k, color = (look.between(0.9, 1.1), look.color("blue", "pink", "green", "purple", "orange",
                                                    "red"))  # fmt: skip
     grip = limb([(0.03, 0, 0.011), (0.07, 0, 0.011), (0.12, 0, 0.011), (0.135, 0, 0.011)],
@@ -709,7 +709,7 @@ def cat_toy(look: Look) -> Shape:
           aliases=("fishbowl", "goldfish bowl"), themes=("living",), roles=("round",),
           colors=("sky",))  # fmt: skip
 def fish_bowl(look: Look) -> Shape:
-    """A fish bowl: water over gravel between two glass rings, with goldfish and a plant."""
+    """A round fish bowl with a glass rim: goldfish in coloured water, and gravel at the bottom."""
     color = look.color("sky", "blue", "teal", "cyan", "turquoise")
     r = look.between(0.07, 0.09)
     water = lathe([(0, 0), (0.55 * r, 0), (0.9 * r, 0.4 * r), (r, 0.85 * r), (0.9 * r, 1.3 * r),

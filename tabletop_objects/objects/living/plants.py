@@ -262,7 +262,7 @@ def plant(kind: PlantForm) -> Callable[[Look], Shape]:
           aliases=("cacti", "potted cactus", "small cactus", "cactus plant", "cactus pot"),
           themes=("living", "office"), roles=("tall",), colors=("green",))  # fmt: skip
 def cactus(look: Look) -> Shape:
-    """A potted cactus: a column with arms, a ball or paddles, with spines and a bloom."""
+    """A potted cactus: a spiny column with arms, a ball or paddles, sometimes with a bloom."""
     r, h = look.between(0.04, 0.055), look.between(0.055, 0.08)
     pieces = planter(look, r, h)
     green = look.color("green", "green", "olive", "sage", "teal", spread=16)
@@ -295,7 +295,7 @@ def succulent(look: Look) -> Shape:
 
 
 def leaf_blade(length: float, width: float, angle: float, lift: float) -> Solid:
-    """Return a thin, curved leaf from the origin in the horizontal direction ``angle``."""
+    """Return a thin, curved leaf that starts at the origin; ``angle`` is its azimuth."""
     t = np.linspace(0, 1, 7)
     half = width / 2 * np.sin(np.pi * np.clip(t * 0.94 + 0.03, 0, 1)) ** 0.75
     rise = length * (np.sin(lift) * t - 0.35 * np.cos(lift) * t**2)
@@ -309,7 +309,7 @@ def leaf_blade(length: float, width: float, angle: float, lift: float) -> Solid:
 
 
 def cactus_plant(look: Look, green: RGB, h: float, r: float) -> tuple[Pieces, list[ConvexPart]]:
-    """Return a cactus (a column, a ball or paddles, with a bloom) and its collision parts."""
+    """Return a column-shaped, round or paddle-shaped cactus and its collision parts."""
     ribs = surfaces.stripes([green, tint_color(green, 0.7)], 9, upright=True, side=128).copy()
     for row in range(4, 128, 12):
         ribs[row : row + 2, 3::14] = (240, 236, 210)

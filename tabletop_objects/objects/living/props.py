@@ -317,7 +317,7 @@ def pointer_solid(k: float) -> Solid:
           aliases=("ouija planchette", "ouija pointer"), themes=("living",),
           colors=("wooden",))  # fmt: skip
 def planchette(look: Look) -> Shape:
-    """A planchette: a heart-shaped pointer with a window on three small feet."""
+    """A planchette: a heart-shaped pointer on three small feet, with a window."""
     k = look.between(0.95, 1.2)
     color = look.color("wooden", "ivory", "brown", "black")
     plate = pointer_solid(k).move(z=0.006)

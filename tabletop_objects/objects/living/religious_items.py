@@ -517,7 +517,7 @@ FLAME = surfaces.gradient((250, 160, 40), (255, 236, 140), np.random.default_rng
 
 
 def branch(look: Look, arms: int, candles: bool) -> Shape:
-    """Return a stand with ``arms`` candle holders in a plane, the middle one on the stem."""
+    """Return a stand with ``arms`` candle holders in a row, with the middle one on the stem."""
     color = look.color("gold", "silver", "black", "brass", "bronze")
     metal = look.surface(color, "metal")
     half, top = (arms - 1) // 2, 0.13

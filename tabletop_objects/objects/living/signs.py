@@ -89,7 +89,7 @@ GOLD: RGB = (206, 172, 90)
 def sign(
     words: tuple[str, ...], x: float, h: float, kind: str, palette: tuple[str, ...]
 ) -> Callable[[Look], Shape]:
-    """Return the shape function of a lettered sign on a stake, on an easel or folded as a tent."""
+    """Return the shape function of a lettered sign: on a stake, on an easel or as a folded tent."""
 
     def make(look: Look) -> Shape:
         k, color = look.between(0.9, 1.1), look.color(*palette)

@@ -21,7 +21,7 @@ WOODS = ("wooden", "brown", "tan")
           "display shelf", "little shelf", "small wooden shelf"), themes=("living",),
           roles=("support", "big"), colors=("wooden", "brown"))  # fmt: skip
 def small_shelf(look: Look) -> Shape:
-    """A low shelf of boards between two sides, with a clear top."""
+    """A low shelf of boards between two sides, with nothing on its top board."""
     wide, deep, high = look.between(0.32, 0.38), look.between(0.16, 0.19), look.between(0.22, 0.27)
     thick, tiers = 0.012, look.pick([2, 2, 3])
     levels = [0.03 + k * (high - thick - 0.03) / (tiers - 1) for k in range(tiers)]

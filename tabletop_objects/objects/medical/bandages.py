@@ -161,7 +161,7 @@ def face_mask(look: Look) -> Shape:
           aliases=("box of gloves", "box of disposable gloves", "box of latex gloves",
           "glove dispenser"), themes=("medical",), roles=("big",), colors=("blue",))  # fmt: skip
 def glove_box(look: Look) -> Shape:
-    """A box of disposable gloves with one sticking out."""
+    """A box of disposable gloves with one glove sticking out."""
     k = look.between(0.9, 1.05)
     color = look.color("blue", "purple", "white", "green", "teal")
     x, y, h = 0.22 * k, 0.12 * k, 0.07 * k

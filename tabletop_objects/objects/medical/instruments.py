@@ -29,7 +29,7 @@ from ...kit.surfaces import RGB, Look, tint_color
           aliases=("doctor stethoscope",), themes=("medical",), roles=("big",),
           colors=("black", "blue"), state="lying flat")  # fmt: skip
 def stethoscope(look: Look) -> Shape:
-    """A stethoscope lying flat: two ear tubes on the left, a loop of tube and the chest piece."""
+    """A stethoscope lying flat: two ear tubes on the left, a loop of tubing and a chest piece."""
     k = look.between(0.85, 1.05)
     color = look.color("black", "blue", "red", "teal", "maroon", "navy", "green", "purple")
     rubber = surfaces.plain(color)

@@ -50,7 +50,7 @@ def pill_bottle(look: Look) -> Shape:
           "medicine capsule", "suppository", "pessary", "cough sweet", "throat lozenge",
           "cough drop"), themes=("medical",), colors=("white", "red"))  # fmt: skip
 def pill(look: Look) -> Shape:
-    """One capsule or tablet, slightly larger than life."""
+    """One capsule or tablet, slightly larger than life-size."""
     k = look.between(1.0, 1.3)
     color = look.color("white", "red", "yellow", "blue", "orange", "green", "pink")
     if look.chance(0.6):

@@ -69,7 +69,7 @@ def book(look: Look) -> Shape:
           themes=("office", "craft", "coffee"), roles=("support", "flat"),
           colors=("black", "teal", "coral"), state="lying flat", common=True)  # fmt: skip
 def notebook(look: Look) -> Shape:
-    """A closed notebook: ring-bound with a plain cover, or bound with an elastic band."""
+    """A closed notebook, ring-bound with a title or held shut by an elastic band."""
     x, y, h = look.between(0.13, 0.155), look.between(0.19, 0.215), look.between(0.012, 0.016)
     color = look.color("black", "teal", "coral", "mustard", "navy", "sage", "pink", "tan")
     band = look.own_color("red", "black", "gold", "cream")
@@ -172,14 +172,14 @@ def _arch(reach: float, edge: float) -> Float[np.ndarray, "k 2"]:
 
 
 def _floor(row: Float[np.ndarray, "k 3"]) -> Float[np.ndarray, "2 3"]:
-    """Return the first and last points of ``row``, a page's edge, lowered onto the cover."""
+    """Return the end points of ``row``, an edge of a page, lowered onto the cover."""
     ends = row[[0, -1]].copy()
     ends[:, 2] = BOARD
     return ends
 
 
 def _page(look: Look, kind: str, paper: RGB, side: int) -> Tile:
-    """Return the texture of a left (-1) or right (1) page, which is darker towards the spine."""
+    """Return the texture of a left (-1) or right (1) page; it is darker towards the spine."""
     image = prints.canvas(136, 192, paper)
     {"novel": _novel, "textbook": _textbook, "picture": _picture, "recipe": _recipe,
      "ruled": _rule, "music": _music}[kind](image, look, side)  # fmt: skip

@@ -126,7 +126,7 @@ def cash_tin(look: Look) -> Shape:
           themes=("office", "living", "workbench"), roles=("support",), opened="open_box",
           common=True)  # fmt: skip
 def box_(look: Look) -> Shape:
-    """A closed parcel with tape, or a gift box with a ribbon if a colour is requested."""
+    """A closed cardboard parcel with tape, or a gift box in coloured paper with a ribbon."""
     x, y, h = look.between(0.14, 0.2), look.between(0.1, 0.15), look.between(0.08, 0.12)
     asked = look.attributes.get("color", "")
     gift = look.chance(0.34) if not asked else asked not in ("brown", "tan", "beige")
@@ -214,7 +214,7 @@ def cabinet(look: Look) -> Shape:
           themes=("office", "craft", "vanity"), roles=("support", "big"),
           colors=("wooden", "white"))  # fmt: skip
 def drawer_box(look: Look) -> Shape:
-    """A small box with one or two wide drawers or a grid of small ones, one of them pulled out."""
+    """A small box with one or two wide drawers or a grid of small drawers, one of them open."""
     columns, rows = look.pick([(1, 1), (1, 2), (2, 2), (3, 2)])
     x, y, h = look.between(0.2, 0.25), look.between(0.13, 0.17), 0.065 * rows + 0.012
     color = look.color("wooden", "white", "black", "tan", "sky", "pink", "gray", "mint")

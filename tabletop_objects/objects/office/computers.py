@@ -459,7 +459,7 @@ def webcam(look: Look) -> Shape:
           aliases=("touchpad", "magic trackpad", "touch pad"), themes=("office",), roles=("flat",),
           colors=("white", "silver"), state="lying flat")  # fmt: skip
 def trackpad(look: Look) -> Shape:
-    """A flat glass touch pad on a slanted metal wedge, or one with two keys."""
+    """A flat glass touchpad on a slanted metal wedge, sometimes with two keys."""
     x, y = look.between(0.13, 0.16), look.between(0.11, 0.12)
     color = look.color("white", "silver", "gray", "charcoal", "black")
     low, high = 0.0045, look.between(0.009, 0.013)

@@ -21,7 +21,7 @@ from ...values import ConvexPart
           themes=("office", "coffee"), roles=("tall", "round"), colors=("white", "brown"),
           common=True)  # fmt: skip
 def paper_cup(look: Look) -> Shape:
-    """A paper coffee cup with a lid and a sleeve, or an open one."""
+    """A paper coffee cup with a sleeve, with or without a lid."""
     r, h = look.between(0.039, 0.045), look.between(0.095, 0.13)
     base = 0.7 * r
     color = look.color("white", "brown", "tan", "red", "green", "black", "cream")
@@ -123,7 +123,7 @@ def handle_part(radius: float, low: float, high: float, reach: float, thick: flo
 
 
 def drink(look: Look, radius: float, height: float) -> list[tuple[Solid, surfaces.Tile]]:
-    """Return the surface of a cup's drink, or an empty list; most cups are empty by default."""
+    """Return the surface of a cup's drink, or an empty list; by default, most cups are empty."""
     full, color = look.chance(0.3), look.pick(DRINKS)
     said = contents(look, radius, height)
     if said is not None:
@@ -139,7 +139,7 @@ def drink(look: Look, radius: float, height: float) -> list[tuple[Solid, surface
           roles=("container", "round"), colors=("white", "red", "blue", "teal", "black"),
           common=True)  # fmt: skip
 def mug(look: Look) -> Shape:
-    """A straight, flaring, bulbous or enamel mug with a handle, hollow enough to hold a ball."""
+    """A straight, flaring, bulbous or enamel mug with a handle, and with room inside for a ball."""
     r, h, wall = look.between(0.037, 0.044), look.between(0.082, 0.108), 0.0045
     kind = look.pick(["straight", "straight", "flared", "belly", "enamel", "round"])
     color = look.color(

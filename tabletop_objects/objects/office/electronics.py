@@ -433,7 +433,7 @@ def _handset(length: float, z: float) -> Solid:
           "desk telephone", "corded phone", "rotary telephone", "old telephone", "desktop phone"),
           themes=("office",), roles=("big",), colors=("black", "red"))  # fmt: skip
 def telephone(look: Look) -> Shape:
-    """A desk telephone: an old one with a dial, or one with keys and a display."""
+    """A desk telephone: an old model with a dial, or a newer model with keys and a display."""
     color = look.color("black", "red", "cream", "white", "green", "gray", "charcoal", "sky")
     skin = surfaces.speckles(look.rng, color, 3, 32)
     if look.chance(0.5):
@@ -593,7 +593,7 @@ def headset_receiver(look: Look) -> Pieces:
           aliases=("clock", "table clock"), themes=("office", "living"),
           colors=("red", "teal", "black"), common=True)  # fmt: skip
 def alarm_clock(look: Look) -> Shape:
-    """A round twin-bell alarm clock or a digital one, facing the viewer."""
+    """A round twin-bell alarm clock or a digital alarm clock, facing the viewer."""
     color = look.color("red", "teal", "black", "gold", "white", "pink", "mint", "navy", "orange")
     skin = surfaces.speckles(look.rng, color, 3, 32)
     if look.chance(0.3):

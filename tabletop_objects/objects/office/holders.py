@@ -92,7 +92,7 @@ def headphone_stand(look: Look) -> Shape:
           "computer stand", "monitor stand", "laptop platform"), themes=("office",),
           roles=("support", "big"), colors=("silver",))  # fmt: skip
 def laptop_stand(look: Look) -> Shape:
-    """A raised laptop stand: a level plate on a bent back, open to the front."""
+    """A raised laptop stand: a level plate above a base, joined by two sides and open in front."""
     k = look.between(0.9, 1.04)
     color = look.color("silver", "silver", "black", "white", "wooden", "gray")
     tile = look.surface(color, "metal")
@@ -338,7 +338,7 @@ def tripod(look: Look) -> Shape:
           aliases=("book end", "book stop", "book stand"), themes=("office", "living"),
           roles=("tall",), colors=("black", "silver"))  # fmt: skip
 def bookend(look: Look) -> Shape:
-    """A book end: an angle of sheet steel or wood, or an L shape with a solid block or a ball."""
+    """An L-shaped bookend: of sheet metal, of wood with a brace, or of metal with a marble ball."""
     x, y, h = look.between(0.1, 0.13), look.between(0.1, 0.13), look.between(0.13, 0.17)
     color = look.color("black", "silver", "red", "white", "teal", "gold", "wooden")
     kind = look.pick(["sheet", "wood", "ball"])

@@ -17,7 +17,7 @@ Skin = Callable[[Look, RGB], surfaces.Tile]
 
 
 def lump(look: Look, x: float, y: float, z: float, corners: int) -> Solid:
-    """Return a broken stone resting on a flat face; fewer ``corners`` make it sharper."""
+    """Return a broken stone that rests on a flat face; fewer ``corners`` make it more angular."""
     n = np.arange(corners) + 0.5
     up = 1 - 2 * n / corners
     around = np.pi * (1 + 5**0.5) * n

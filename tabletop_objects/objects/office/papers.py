@@ -547,7 +547,7 @@ def letter(look: Look) -> Shape:
           aliases=("price label", "price card", "price sign", "sale tag"), themes=("office",),
           roles=("flat",), colors=("white", "yellow"))  # fmt: skip
 def price_tag(look: Look) -> Shape:
-    """A price tag, lying flat with a hole and a string, or on a small stand."""
+    """A price tag that lies flat with a hole and a string, or leans on a small stand."""
     color = look.color("white", "yellow", "tan", "red", "orange", "lime", "sky")
     price = f"{int(look.rng.integers(1, 99))}.{look.pick(['99', '50', '00', '95'])}"
     ink = readable_on(color)

@@ -245,7 +245,7 @@ def highlighter(look: Look) -> Shape:
           aliases=("pushpin", "map pin", "board pin"), themes=("office",), colors=("red", "blue"),
           state="lying flat")  # fmt: skip
 def push_pin(look: Look) -> Shape:
-    """A push pin lying on its side, larger than life."""
+    """A push pin lying on its side, larger than life-size."""
     k = look.between(1.0, 1.3)
     color = look.color("red", "blue", "yellow", "green", "white", "orange", "clear")
     head = lathe(np.array([(0, 0), (0.0055, 0), (0.0055, 0.0018), (0.0032, 0.004), (0.0036, 0.0105),
@@ -359,7 +359,7 @@ def hole_punch(look: Look) -> Shape:
           "date stamp", "signet seal"), themes=("office",), roles=("tall",),
           colors=("wooden", "black"))  # fmt: skip
 def stamp(look: Look) -> Shape:
-    """A rubber stamp with a turned wooden grip, or a self-inking one."""
+    """A rubber stamp with a turned wooden grip, or a self-inking stamp."""
     color = look.color("wooden", "brown", "black", "red", "tan", "blue")
     if look.chance(0.65):
         h = look.between(0.07, 0.09)

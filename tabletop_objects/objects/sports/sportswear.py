@@ -21,7 +21,7 @@ BRIGHT = ("red", "blue", "green", "yellow", "orange", "purple", "black", "pink")
           aliases=("swim goggles", "diving goggles", "ski goggles"), themes=("sports",),
           colors=("blue", "black"))  # fmt: skip
 def goggles(look: Look) -> Shape:
-    """Swimming goggles lying flat, with two lenses, a nose piece and a strap behind."""
+    """Swimming goggles lying flat, with two lenses, a nose piece and a strap at the back."""
     color = look.color(*BRIGHT)
     k = look.between(0.9, 1.15)
     cups, lenses = [], []

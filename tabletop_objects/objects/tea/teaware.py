@@ -92,7 +92,7 @@ def tea_cosy(look: Look) -> Shape:
           roles=("round", "flat", "edible"), colors=("tan", "brown"), state="lying flat",
           common=True)  # fmt: skip
 def cookie(look: Look) -> Shape:
-    """A round biscuit with chips, a sandwich biscuit, or an iced one."""
+    """A round biscuit with chips, a sandwich biscuit, or an iced biscuit."""
     r, h = look.between(0.028, 0.042), look.between(0.008, 0.012)
     kind = int(look.rng.integers(3))
     dough = look.color("tan", "amber", "wooden", "brown", "beige")

@@ -278,7 +278,7 @@ def snail(look: Look) -> Shape:
 
 @dataclass(frozen=True)
 class Beast:
-    """The form of a four-legged animal that faces left; its body's length is the unit of length.
+    """The form of a four-legged animal that faces left; the unit of length is its body's length.
 
     ``body`` is its length, width and height; ``legs`` is their length and radius. ``neck`` is the
     position of the head's centre in front of the body (x) and above its centre (z), and the neck's
@@ -475,7 +475,7 @@ TOY_DINOSAUR_DARK = surfaces.plain((34, 32, 34))
           "tyrannosaurus", "brontosaurus", "plastic dinosaur", "tyrannosaurus rex"),
           themes=("toys",), colors=("green",))  # fmt: skip
 def toy_dinosaur(look: Look) -> Shape:
-    """A toy dinosaur facing left: a long-necked one, or a tyrannosaur on its hind legs."""
+    """A toy dinosaur facing left: a long-necked sauropod, or a tyrannosaur on its hind legs."""
     color = look.color("green", "olive", "teal", "orange", "violet", "blue", "red")
     skin = surfaces.spots(look.rng, color, tint_color(color, 0.7), 0.12)
     pale = surfaces.plain(tint_color(color, 1.5))

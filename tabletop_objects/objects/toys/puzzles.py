@@ -42,7 +42,7 @@ def pegboard(look: Look) -> Shape:
           aliases=("hanoi tower", "towers of hanoi", "stacking pegs", "hanoi puzzle"),
           themes=("toys",), colors=("wooden",))  # fmt: skip
 def tower_of_hanoi(look: Look) -> Shape:
-    """Three posts on a base, with coloured discs ordered by size on the first one."""
+    """Three posts on a base, with coloured discs ordered by size on the first post."""
     k = look.between(0.9, 1.1)
     color = look.color(*WOODEN)
     wood = look.surface(color, "wood")

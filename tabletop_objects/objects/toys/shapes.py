@@ -69,7 +69,7 @@ def _half_round(k: float) -> Made:
 
 
 def _ring(outer: float, inner: float, height: float) -> Callable[[Look], Shape]:
-    """A ring or a piece of tube with a round cross-section."""
+    """A round ring or a piece of round tube."""
 
     def make_shape(look: Look) -> Shape:
         k = look.between(0.9, 1.12)
@@ -107,7 +107,7 @@ def _with_signs(*corners: tuple[float, float, float]) -> Points:
 
 
 def _turns(*corners: tuple[float, float, float]) -> Points:
-    """Return the given points with all sign combinations and cyclic permutations of coordinates."""
+    """Return all sign changes and cyclic permutations of the coordinates of the given points."""
     return np.concatenate([_with_signs(tuple(np.roll(c, n))) for c in corners for n in range(3)])
 
 

@@ -461,7 +461,7 @@ BRIGHT = ("red", "blue", "yellow", "green", "orange", "purple", "pink", "teal")
           "anti-gravity spinner", "thaumatrope", "wooden spinning disc", "rattleback"),
           themes=("toys",), colors=("red",))  # fmt: skip
 def spinning_top(look: Look) -> Shape:
-    """A spinning top leaning on its rim and point."""
+    """A spinning top at rest, tilted onto its point and rim."""
     k = look.between(0.9, 1.15)
     color = look.color(*BRIGHT)
     bands = [color, look.own_color("cream", "white", "yellow"), tint_color(color, 0.6)]
@@ -792,7 +792,7 @@ def zoetrope(look: Look) -> Shape:
           "stuffed cat", "plush rabbit", "plush dog", "beanie baby", "plushie", "stuffed toy"),
           themes=("toys",), colors=("brown", "cream"), state="sitting", common=True)  # fmt: skip
 def teddy_bear(look: Look) -> Shape:
-    """A small teddy bear, sitting."""
+    """A small, seated teddy bear."""
     color = look.color("brown", "tan", "cream", "gray", "terracotta")
     fur = surfaces.knitting(look.rng, color)
     pale, dark = surfaces.plain(tint_color(color, 1.35)), surfaces.plain((34, 28, 26))
@@ -824,7 +824,7 @@ def teddy_bear(look: Look) -> Shape:
           aliases=("duck", "toy duck", "bath duck", "bath toy", "rubber bath duck", "squeaky toy"),
           themes=("toys", "vanity"), colors=("yellow",), common=True)  # fmt: skip
 def rubber_duck(look: Look) -> Shape:
-    """A bath duck facing the viewer's left."""
+    """A rubber duck facing the viewer's left."""
     color = look.color("yellow", "yellow", "pink", "sky", "mint")
     skin, beak = surfaces.speckles(look.rng, color, 3), surfaces.plain((236, 120, 40))
     dark = surfaces.plain((24, 24, 26))
@@ -895,7 +895,7 @@ def shape_sorter(look: Look) -> Shape:
           colors=("wooden",))  # fmt: skip
 @from_pieces()
 def marble_run(look: Look) -> Pieces:
-    """A marble run: three sloping tracks on posts with rolling marbles."""
+    """A marble run: three sloping tracks on posts, with marbles on the tracks."""
     tile = wood(look, "wooden", "beige")
     base = at_box(0.26, 0.08, 0.01)
     posts = [at_box(0.012, 0.06, 0.17, (s * 0.12, 0, 0.01)) for s in (-1, 1)]

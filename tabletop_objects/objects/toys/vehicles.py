@@ -34,7 +34,7 @@ BLACK = surfaces.plain((34, 34, 37))
           colors=("yellow",))  # fmt: skip
 @from_pieces(bodies=5)
 def toy_crane(look: Look) -> Pieces:
-    """A toy crane on wheels with a lattice arm and a hook."""
+    """A wheeled toy crane with a lattice arm and a hook."""
     tile = plastic(look, "yellow", "orange", "red", "blue")
     base = at_block(0.13, 0.06, 0.02, 0.006, (0, 0, 0.014))
     wheels = [disc(0.014, 0.01).turn(0, np.pi / 2).move(x, s * 0.031 + 0.005, 0.014)
@@ -402,7 +402,7 @@ def _paper(look: Look, color: RGB) -> Tile:
 
 
 def sheet(*corners: tuple[float, float, float], thick: float = 0.0012) -> Solid:
-    """Return a thin flat piece of paper with the given corners in space."""
+    """Return a thin, flat piece of paper with corners at the given points (x, y, z)."""
     p = np.array(corners, float)
     way = np.cross(p[1] - p[0], p[2] - p[0])
     way = way / np.linalg.norm(way) * thick / 2
@@ -484,7 +484,7 @@ def glider(look: Look) -> Shape:
           aliases=("ufo toy", "flying saucer", "toy ufo", "spacecraft"), themes=("toys",),
           colors=("silver",))  # fmt: skip
 def ufo(look: Look) -> Shape:
-    """A flying saucer on three legs with a glass dome and lights."""
+    """A flying saucer with a glass dome and lights, standing on three legs."""
     color = look.color("silver", "gray", "green", "purple", "blue")
     k = look.between(0.8, 1.2)
     saucer = standing((0.02, 0.02), (0.03, 0.022), (0.065, 0.034), (0.066, 0.038), (0.034, 0.05),

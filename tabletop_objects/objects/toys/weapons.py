@@ -200,7 +200,7 @@ def lightsaber(look: Look) -> Pieces:
           aliases=("catapult", "sling shot"), themes=("toys",), colors=("wooden",),
           state="lying flat")  # fmt: skip
 def slingshot(look: Look) -> Shape:
-    """A forked wooden slingshot lying flat, with a rubber band and a leather patch."""
+    """A forked wooden slingshot lying flat, with a rubber band and a leather pouch."""
     k = look.between(0.92, 1.08)
     wood = look.surface(look.color("wooden", "brown", "tan", "wooden"), "wood")
     z = r = 0.009 * k

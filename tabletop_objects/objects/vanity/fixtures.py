@@ -122,7 +122,7 @@ def toilet_brush(look: Look) -> Shape:
           aliases=("showerhead", "hand shower", "shower handset"), themes=("vanity",),
           roles=("big",), colors=("silver",))  # fmt: skip
 def shower_head(look: Look) -> Shape:
-    """A hand shower lying with its nozzles up."""
+    """A handheld shower head lying with its nozzles up."""
     color = look.color("silver", "white", "black", "gold")
     k = look.between(0.85, 1.1)
     head = standing((0.02, 0), (0.046, 0.012), (0.05, 0.018), (0.05, 0.026), sides=32)

@@ -92,7 +92,7 @@ def wristwatch(look: Look) -> Shape:
           "trinket bowl", "ring tray", "coin dish"), themes=("vanity",),
           roles=("container", "round", "support"), colors=("white", "pink"))  # fmt: skip
 def trinket_dish(look: Look) -> Shape:
-    """A small dish with a gold rim for rings and trinkets."""
+    """A small, gold-rimmed dish for rings and trinkets."""
     r = look.between(0.045, 0.06)
     color = look.color("white", "pink", "sage", "navy", "cream", "teal", "lavender")
     body, parts = open_vessel([(0.6 * r, 0), (0.9 * r, 0.008), (r, 0.02)], 0.0035, 0.004)

@@ -48,7 +48,7 @@ def mascara(look: Look) -> Shape:
           "makeup pencil", "lip pencil"), themes=("vanity",), colors=("black",),
           state="lying")  # fmt: skip
 def eyeliner(look: Look) -> Shape:
-    """An eyeliner pencil lying flat with its tip on the left and its cap beside its end."""
+    """An eyeliner pencil lying flat, with its tip on the left and a band near its other end."""
     color = look.color("black", "brown", "navy", "purple", "teal", "gold")
     long = look.between(0.11, 0.14)
     r = 0.0042
@@ -217,7 +217,7 @@ def foundation(look: Look) -> Shape:
           "lip salve", "brow gel"), themes=("vanity",), roles=("round",), colors=("black", "gold"),
           common=True)  # fmt: skip
 def lipstick(look: Look) -> Shape:
-    """An open lipstick standing upright: a tube, a ring and a slanted colour stick."""
+    """An open lipstick standing upright: a tube, a ring and a coloured stick with a slanted tip."""
     case = surfaces.speckles(look.rng, look.color("black", "gold", "white", "navy"), 3)
     ring = surfaces.brushed_metal(look.rng, look.own_color("gold", "silver"))
     pigment = surfaces.plain(look.own_color("red", "crimson", "pink", "coral", "magenta"))

@@ -304,7 +304,7 @@ def _bottle(
 
 
 def _tube(look: Look, words: tuple[str, ...], colors: tuple[str, ...], h: float) -> Shape:
-    """A soft tube with a flat upper end, standing on its cap."""
+    """A squeeze tube with a flat upper end, standing on its cap."""
     color = look.color(*colors)
     r, h = look.between(0.02, 0.026), h * look.between(0.88, 1.12)
     outline = rectangle(2, 2, 0.98, 7)

@@ -71,7 +71,7 @@ def washcloth(look: Look) -> Shape:
           "pillowcase", "pile of washing"), themes=("vanity", "kitchen"), roles=("support", "big"),
           colors=("white", "teal"), state="lying folded", common=True)  # fmt: skip
 def folded_towel(look: Look) -> Shape:
-    """A towel folded into layers, or two of them in a stack."""
+    """A towel folded into layers, or a stack of two folded towels."""
     x, y = look.between(0.22, 0.32), look.between(0.16, 0.22)
     pieces, z = [], 0.0
     for _ in range(2 if look.chance(0.4) else 1):

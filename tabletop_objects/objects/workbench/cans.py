@@ -40,7 +40,7 @@ def oil_can(look: Look) -> Shape:
           "paint tin lid", "tin of varnish"), themes=("workbench", "craft"), roles=("round",),
           colors=("red", "blue"), common=True)  # fmt: skip
 def paint_can(look: Look) -> Shape:
-    """A can of paint with a wire handle, either closed or open and full."""
+    """A can of paint with a wire handle: either closed, or open and full."""
     r, h = look.between(0.046, 0.062), look.between(0.1, 0.135)
     color = look.color("red", "blue", "yellow", "green", "teal", "orange", "purple", "white")
     label = wrap(look, look.pick(["PAINT", "COLOR", "LATEX", "GLOSS"]), color, (242, 241, 236))

@@ -74,7 +74,7 @@ def headlight(look: Look) -> Pieces:
           themes=("workbench",), colors=("black",))  # fmt: skip
 @from_pieces(bodies=3)
 def rear_view_mirror(look: Look) -> Pieces:
-    """A rear-view mirror: a wide, rounded glass in a dark shell on a stalk."""
+    """A rear-view mirror: a wide, rounded mirror in a dark housing on a stalk."""
     shell = plastic(look, "black", "charcoal", "gray")
     body = at_block(0.22, 0.065, 0.022, 0.028).turn(0, np.pi / 2 - 0.25)
     glass = at_block(0.208, 0.055, 0.002, 0.025, (0, 0, 0.0215)).turn(0, np.pi / 2 - 0.25)
@@ -231,7 +231,7 @@ def key_fob(look: Look) -> Pieces:
           themes=("workbench",), roles=("flat",), colors=("black",))  # fmt: skip
 @from_pieces()
 def seat_belt_buckle(look: Look) -> Pieces:
-    """A black buckle with a red button, a metal tongue and a belt running out on both sides."""
+    """A black buckle with a red button, a metal tongue and a piece of belt on each side."""
     webbing = cloth(look, "black", "charcoal", "red", "beige")
     belt = [at_box(0.12, 0.046, 0.003, (-0.1, 0, 0.006)), at_box(0.12, 0.046, 0.003,
                                                                  (0.115, 0, 0.006))]  # fmt: skip

@@ -79,7 +79,7 @@ WALKIE_TALKIE_DARK = (40, 41, 45)
           aliases=("walkie-talkie", "two-way radio", "hand radio"), themes=("workbench",),
           roles=("tall",), colors=("black", "yellow"), common=True)  # fmt: skip
 def walkie_talkie(look: Look) -> Shape:
-    """A hand radio standing upright, with a speaker grille, a display and an antenna."""
+    """A walkie-talkie standing upright, with a speaker grille, a display and an antenna."""
     x, y, z = look.between(0.055, 0.062), look.between(0.032, 0.038), look.between(0.1, 0.115)
     color = look.color("black", "yellow", "red", "olive", "blue", "orange", "gray", "teal")
     shell, dark = surfaces.speckles(look.rng, color, 3, 32), surfaces.plain(WALKIE_TALKIE_DARK)

@@ -43,7 +43,7 @@ def spark_plug(look: Look) -> Pieces:
           colors=("orange", "white"))  # fmt: skip
 @from_pieces(bodies=1)
 def oil_filter(look: Look) -> Pieces:
-    """A painted oil filter can with flutes at the bottom and a printed band."""
+    """A painted oil filter canister with flutes at the bottom and a printed band."""
     color = look.color("orange", "white", "blue", "black", "red")
     can = standing((0.034, 0), (0.038, 0.004), (0.038, 0.075), (0.033, 0.085), (0.02, 0.088))
     flutes = [at_box(0.004, 0.008, 0.028, (0.0365 * np.cos(a), 0.0365 * np.sin(a), 0.052))
@@ -263,7 +263,7 @@ def ignition_coil(look: Look) -> Pieces:
           colors=("charcoal",))  # fmt: skip
 @from_pieces(bodies=1)
 def gasket(look: Look) -> Pieces:
-    """A head gasket: a thin plate with large and small printed holes."""
+    """A head gasket: a thin plate with large and small holes printed on it."""
     color = look.color("charcoal", "silver", "brown", "copper")
     body = at_block(0.3, 0.12, 0.002, 0.012)
     holes = [disc(0.034, 0.0004, (x, 0, 0.0019)) for x in (-0.105, -0.035, 0.035, 0.105)]
@@ -300,7 +300,7 @@ def alternator(look: Look) -> Pieces:
           colors=("silver",))  # fmt: skip
 @from_pieces(bodies=4)
 def water_pump(look: Look) -> Pieces:
-    """A water pump: a round body on a flange with a grooved pulley on top and a pipe."""
+    """A water pump: a round body on a flange, a grooved pulley on top, and a pipe."""
     steel = metal(look, "silver", "gray", "bronze")
     body = disc(0.045, 0.04, (0, 0, 0.0))
     flange = at_block(0.12, 0.06, 0.012, 0.02)

@@ -125,7 +125,7 @@ def staple_strip(look: Look) -> Pieces:
 @vary()
 @from_pieces(bodies=2)
 def hose_clip(look: Look) -> Pieces:
-    """A hose clip lying flat: a slotted metal band in a ring with a box and a screw."""
+    """A hose clip lying flat: a slotted metal band bent into a ring, with a screw in a housing."""
     steel = metal(look, "silver", "silver", "gray")
     band = lathe([(0.019, 0), (0.02, 0), (0.02, 0.009), (0.019, 0.009)], 36, loop=True)
     box = at_block(0.014, 0.01, 0.01, 0.002, (0, 0.022, 0))
@@ -173,7 +173,7 @@ def cable_clip(look: Look) -> Pieces:
           "watch band strap"), themes=("workbench",), colors=("black",), state="lying")  # fmt: skip
 @from_pieces(bodies=2)
 def velcro_strap(look: Look) -> Pieces:
-    """A hook-and-loop strap, lying in a loop."""
+    """A hook-and-loop strap closed into a ring, with a buckle and a free end."""
     color = look.color("black", "blue", "red", "gray", "green")
     loop = lathe([(0.028, 0), (0.03, 0), (0.03, 0.018), (0.028, 0.018)], 40, loop=True)
     tail = at_box(0.06, 0.0022, 0.018, (0.03, -0.0295, 0)).turn(2, 0.08)

@@ -168,7 +168,7 @@ def latch(look: Look) -> Pieces:
           colors=("white",), state="lying")  # fmt: skip
 @from_pieces(bodies=2)
 def magnet_catch(look: Look) -> Pieces:
-    """A magnet catch: a plastic block with a lug at each end and two metal strips in front."""
+    """A magnetic catch: a plastic block with a lug at each end and two metal strips in front."""
     body = at_block(0.045, 0.016, 0.014, 0.003)
     ears = at_block(0.065, 0.012, 0.004, 0.005)
     face = [at_box(0.034, 0.002, 0.003, (0, -0.0085, z)) for z in (0.003, 0.009)]
@@ -344,7 +344,7 @@ def valve(look: Look) -> Shape:
           themes=("workbench",), colors=("black",), state="lying")  # fmt: skip
 @from_pieces()
 def grommet(look: Look) -> Pieces:
-    """A soft grommet lying flat: a ring with a groove around its outside."""
+    """A grommet lying flat: a ring with a groove around its outside."""
     tile = plastic(look, "black", "gray", "white", "charcoal")
     body = lathe([(0.008, 0), (0.015, 0), (0.016, 0.003), (0.013, 0.004), (0.013, 0.007),
                   (0.016, 0.008), (0.015, 0.011), (0.008, 0.011)], 28, loop=True)  # fmt: skip

@@ -20,7 +20,7 @@ from .bike_parts import _teeth
           themes=("workbench",), colors=("black",), state="lying")  # fmt: skip
 @from_pieces(foot=0.08)
 def o_ring(look: Look) -> Pieces:
-    """A thin rubber O-ring with a round section, lying flat."""
+    """A thin rubber O-ring with a round cross-section, lying flat."""
     return [(torus(0.015, 0.0022, 36, 10).move(z=0.0021), look.surface(look.color("black",
                                                                                   "charcoal", "red",
                                                                                   "orange"),

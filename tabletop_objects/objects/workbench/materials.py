@@ -54,7 +54,7 @@ def house_brick(look: Look) -> Shape:
           "nautical rope", "climbing rope", "paracord bundle", "loop of rope", "paracord",
           "leash rope"), themes=("workbench",), colors=("tan",))  # fmt: skip
 def rope(look: Look) -> Shape:
-    """A coil of rope lying flat, with its end wound around it."""
+    """A coil of rope lying flat, with one end wound around the coil."""
     k = look.between(0.85, 1.1)
     color = look.color("tan", "beige", "white", "blue", "tan", "orange", "green")
     strands = surfaces.stripes([color, tint_color(color, 0.78), tint_color(color, 1.15)], 24,
@@ -80,7 +80,7 @@ def rope(look: Look) -> Shape:
           aliases=("magnet", "u magnet", "toy magnet"), themes=("workbench",), roles=("flat",),
           colors=("red",))  # fmt: skip
 def horseshoe_magnet(look: Look) -> Shape:
-    """A red horseshoe magnet lying flat, with bare poles."""
+    """A horseshoe magnet lying flat: a painted bow with bare metal poles."""
     k = look.between(0.85, 1.15)
     color = look.color("red", "red", "crimson", "blue")
     h = 0.012 * k

@@ -229,7 +229,7 @@ def bevel_gauge(look: Look) -> Shape:
           aliases=("mortise gauge", "scribing gauge"), themes=("workbench",),
           colors=("wooden",))  # fmt: skip
 def marking_gauge(look: Look) -> Shape:
-    """A marking gauge lying flat: a square beam through a head with a thumbscrew."""
+    """A marking gauge lying flat: a square beam that passes through a head with a thumbscrew."""
     color = look.color("wooden", "tan", "brown", "maroon")
     k = look.between(0.85, 1.15)
     beam = at_box(0.21, 0.017, 0.017)

@@ -36,7 +36,7 @@ BODIES = ("teal", "red", "green", "yellow", "blue", "orange")
 @at_rest
 @from_pieces(bodies=4)
 def polisher(look: Look) -> Pieces:
-    """An angle polisher, lying on its soft pad."""
+    """An angle polisher, lying on its polishing pad."""
     tile = plastic(look, *BODIES)
     pad = standing((0.06, 0), (0.075, 0.012), (0.07, 0.026), (0.03, 0.032))
     head = at_block(0.06, 0.055, 0.06, 0.016, (0, 0, 0.03))

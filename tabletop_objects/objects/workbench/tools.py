@@ -192,7 +192,7 @@ def putty_knife(look: Look) -> Shape:
 
 
 def _cutters(beak: list[tuple[float, float]], long: float, thick: float) -> Callable[[Look], Shape]:
-    """Cutters, snips or strippers lying flat: two crossed levers with grips on the left."""
+    """Cutters, snips or wire strippers lying flat: two crossed levers with grips on the left."""
 
     def make(look: Look) -> Shape:
         k = look.between(0.9, 1.08)
@@ -291,7 +291,7 @@ def hacksaw(look: Look) -> Shape:
           "hexagon key"), themes=("workbench",), roles=("flat",), colors=("charcoal",),
           state="lying flat")  # fmt: skip
 def hex_key(look: Look) -> Shape:
-    """A hexagon key lying flat: an L-shaped key of six-sided steel, or one with a T grip."""
+    """A hex key lying flat: an L-shaped key of six-sided steel, sometimes with a T-handle."""
     k = look.between(0.8, 1.3)
     color = look.color("charcoal", "black", "silver", "silver", "gray")
     r = 0.0032 * k
@@ -461,7 +461,7 @@ def vise(look: Look) -> Shape:
           aliases=("paint roller tray", "roller tray", "painting tray"), themes=("workbench",),
           roles=("container", "big"), colors=("black",))  # fmt: skip
 def paint_tray(look: Look) -> Shape:
-    """An open, sloping tray for paint rollers with a film of paint in its well."""
+    """An open, sloping paint tray with a film of paint in its well."""
     k = look.between(0.88, 1.05)
     x, y, h, wall = 0.28 * k, 0.2 * k, 0.05 * k, 0.004
     color = look.color("black", "charcoal", "white", "blue", "gray", "red")
@@ -775,7 +775,7 @@ def pocket_knife(look: Look) -> Shape:
           aliases=("multi-tool", "multi tool", "bike multi-tool", "leatherman", "pocket tool"),
           themes=("workbench",), colors=("silver", "black"))  # fmt: skip
 def multitool(look: Look) -> Shape:
-    """An open folding multi-tool lying flat: plier jaws between two handles, with a blade out."""
+    """An open multi-tool lying flat: plier jaws between two handles, and an unfolded blade."""
     color = look.color("silver", "black", "charcoal", "green")
     k = look.between(0.85, 1.15)
     handles = [plate(rectangle(0.1, 0.016, 0.006), 0.015, at=(-0.048, 0, 0),

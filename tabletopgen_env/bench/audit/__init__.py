@@ -1,1 +1,1 @@
-"""Checks of results: whether their values are possible, and replay of some episodes."""
+"""Checks of results: detection of impossible values, and replay of some episodes."""

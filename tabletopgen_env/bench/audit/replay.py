@@ -32,7 +32,7 @@ class EpisodeReplay:
 
     @property
     def agrees(self) -> bool:
-        """Whether the listed and the replayed outcome agree in success, number of steps and reward.
+        """Whether the listed and replayed outcomes agree in success, number of steps and reward.
 
         Rewards agree within ``REWARD``, since processors differ in the last digits of the mean.
         """

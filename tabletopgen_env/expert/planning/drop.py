@@ -47,7 +47,7 @@ class Drop:
         self.follow(world)
 
     def follow(self, world: World) -> None:
-        """Update the release position if the object has shifted in the hand or the goal moved."""
+        """Update the release position if the object shifted in the hand or the goal moved."""
         left, right, _ = world.touches(self._target)
         if not (left and right):  # a released object no longer counts
             return

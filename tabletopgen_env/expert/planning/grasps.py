@@ -63,7 +63,7 @@ def plan_grasps(world: World, target: str, avoid: tuple[Grasp, ...] = ()) -> lis
 
 
 def grasps_along(world: World, target: str, angles: Iterable[float]) -> Iterator[Grasp]:
-    """Yield grasps of ``target`` at its current pose whose fingers open along ``angles``."""
+    """Yield grasps of ``target`` at its current pose with fingers that open along ``angles``."""
     thing = world.scene.object(target)
     position, rotation = world.position(target), world.rotation(target)
     own = move_parts(thing.parts, position, rotation)
@@ -147,7 +147,7 @@ def _see(
 def _along(
     seen: _Seen, others: HeightMap, com: Float[np.ndarray, "3"], angle: float
 ) -> Iterator[Grasp]:
-    """Yield grasps whose fingers open along ``angle``."""
+    """Yield grasps in which the fingers open along ``angle``."""
     across = np.array([np.cos(angle), np.sin(angle)])
     along = np.array([-across[1], across[0]])
     shape, cut, middle = seen.shape, seen.cut, seen.middle
@@ -189,7 +189,7 @@ def _room(
     width: Float[np.ndarray, "r"],
     tip: Float[np.ndarray, "r"],
 ) -> Float[np.ndarray, "r"]:
-    """Return the widest opening (m) at which the fingers fit around each run, or NaN if none."""
+    """Return the widest opening (m) for the fingers around each run, or NaN if none fits."""
     distance = np.abs(u - center[:, None])
 
     def free(

@@ -1,4 +1,4 @@
-"""Height maps of scenes for a gripper that comes from above, and voxel models of objects."""
+"""Height maps of scenes for a gripper that approaches from above, and voxel models of objects."""
 
 from __future__ import annotations
 

@@ -63,7 +63,7 @@ class Placer(Protocol):
 
 
 class Underside(NamedTuple):
-    """An underside, as columns: the (x, y) and lowest height of each, relative to the tool."""
+    """An underside as a set of columns: their (x, y) and lowest heights, relative to the tool."""
 
     at: Float[np.ndarray, "n 2"]
     low: Float[np.ndarray, "n"]
@@ -116,7 +116,7 @@ def plan_place(world: World, goal: Goal, yaw: float, opening: float) -> Place:
 
 
 def middle_place(world: World, goal: Goal, yaw: float, opening: float) -> Place:
-    """Return the release pose at the centre of a goal's region; arguments as for ``plan_place``.
+    """Return the release pose at the centre of a goal's region; for arguments, see ``plan_place``.
 
     The hand keeps its yaw, or makes half a turn if the arm can reach the place only in this way.
     The plan uses the height map of all other objects, and the box and the lowest point of the held
@@ -240,5 +240,5 @@ def _hand(opening: float, yaw: float) -> Underside:
 def _touching(
     others: HeightMap, tools: Float[np.ndarray, "k 2"], under: Underside
 ) -> Float[np.ndarray, "k n"]:
-    """Return for each tool position the height at which each column of ``under`` makes contact."""
+    """Return, for each tool position, the contact height of each column of ``under``."""
     return others.at(tools[:, None] + under.at) - under.low

@@ -82,7 +82,7 @@ def plan_stroke(
     others: HeightMap | None = None,
     care: Care = "free",
 ) -> Stroke | None:
-    """Plan the stroke that pushes an object's centre towards a spot (x, y, world), or return None.
+    """Plan a push of an object's centre to a spot (x, y, world); return None if none is possible.
 
     ``others`` is the height map ``beside`` the object, if it is already known.
     """
@@ -139,7 +139,7 @@ def _contact(
     opening: float,
     floor: float,
 ) -> tuple[Float[np.ndarray, "2"], float] | None:
-    """Return the tool's position (x, y) and height for touching the object near its base, or None.
+    """Return the tool's (x, y) and height to touch an object near its base, or None if none fits.
 
     Both are in the world frame.
     """
@@ -163,7 +163,7 @@ def _contact(
 def _behind(
     parts: list[ConvexPart], com: Float[np.ndarray, "2"], ahead: Float[np.ndarray, "2"]
 ) -> float | None:
-    """Return the distance (m) from ``com`` along ``ahead`` at which fingers meet parts, or None."""
+    """Return how far (m) from ``com`` along ``ahead`` the fingers meet a part, or None if never."""
     across = np.array([-ahead[1], ahead[0]])
     found: list[float] = []
     for part in parts:

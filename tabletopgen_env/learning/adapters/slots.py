@@ -68,7 +68,7 @@ class SlotVecEnv(VecEnv):
         return seen
 
     def seed(self, seed: int | None = None) -> Sequence[int | None]:
-        """Derive one seed per slot for the next reset from ``seed``."""
+        """For the next reset, derive one seed per slot from ``seed``."""
         if seed is None:
             return super().seed()
         require_seed(seed)
@@ -115,7 +115,7 @@ class SlotVecEnv(VecEnv):
     def env_method(
         self, method_name: str, *method_args: Any, indices: Any = None, **method_kwargs: Any
     ) -> list[Any]:
-        """Call a method of the selected environments, in the process that runs each."""
+        """Call a method of each selected environment, in the process that runs it."""
         given = {"name": method_name, "args": method_args, "kwargs": method_kwargs}
         return self._visit(partial(pickling.call, **given), indices)
 

@@ -1,4 +1,4 @@
-"""Recorded episodes, played by the expert or by a policy for which the expert labels actions."""
+"""Recorded episodes, played by the expert or by a policy, with the expert's actions as labels."""
 
 from __future__ import annotations
 

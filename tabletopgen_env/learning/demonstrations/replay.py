@@ -1,4 +1,4 @@
-"""Replay buffers: prefilling by the expert, and storage without pickle."""
+"""Replay buffers: prefilling with the expert's episodes, and storage without pickle."""
 
 from __future__ import annotations
 

@@ -123,7 +123,7 @@ def inputs_of(space: spaces.Space[Any]) -> dict[str, Shape]:
 
 
 def _channels_last(shape: tuple[int, ...]) -> tuple[int, ...]:
-    """Return a shape with the channel axis, which Stable-Baselines3 puts first, moved last."""
+    """Return a shape with the channel axis moved from first (as in Stable-Baselines3) to last."""
     colors = len(shape) == 3 and shape[0] == 3 and shape != height_map_space().shape
     return (*shape[1:], shape[0]) if colors else shape
 

@@ -224,7 +224,7 @@ def _turn_left(
 
 
 def _least_turn(state: Float[Tensor, "n o"], at: Float[Tensor, "n 2"]) -> Float[Tensor, "n"]:
-    """Return the minimum turn of the hand with the held object; see ``expert.arm.least_turn``."""
+    """Return the minimum turn of the hand with the target in it; see ``expert.arm.least_turn``."""
     turned = torch.atan2(state[:, 16], state[:, 15]) - torch.atan2(at[:, 1], at[:, 0])
     asked = _roll(state) + wrap(turned)
     return asked.clamp(MIDDLE - ROLL_RANGE, MIDDLE + ROLL_RANGE) - asked

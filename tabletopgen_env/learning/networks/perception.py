@@ -117,7 +117,7 @@ def _perceive_one(
 def recall_goal(
     state: Float[Tensor, "n s"], shown: Float[Tensor, "n"], kept: Float[Tensor, "n 4"]
 ) -> tuple[Float[Tensor, "n s"], Float[Tensor, "n 4"]]:
-    """Replace poorly visible markers by their best earlier sighting; return states and sightings.
+    """Replace poorly visible markers with better earlier sightings; return states and sightings.
 
     Near the end of a reach the hand hides the marker, and the visible rest is a poor estimate of
     its position. ``shown`` is the number of marker points in the current observation. ``kept`` is

@@ -63,7 +63,7 @@ def advantages(
     gamma: float,
     gae_lambda: float,
 ) -> Float[Tensor, "t n"]:
-    """Compute generalised advantage estimates for episodes that end at ``over``.
+    """Compute generalised advantage estimates; episodes end where ``over`` is true.
 
     See eq. 16 of Schulman et al. (2016). ``last`` is the value after the last step. The advantage
     of step k is delta_k + gamma * lambda * advantage_(k + 1), with delta_k = r_k + gamma * V_(k +

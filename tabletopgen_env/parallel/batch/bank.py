@@ -1,4 +1,4 @@
-"""Banks of scenes for a batch: one model that fits all scenes, and a row of fields for each."""
+"""Banks of scenes for a batch: one model that fits all scenes, and one row of fields per scene."""
 
 from __future__ import annotations
 

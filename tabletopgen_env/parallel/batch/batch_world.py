@@ -86,7 +86,7 @@ class BatchWorld:
 
     @property
     def overflows(self) -> int:
-        """The number of times a world needed more contacts or constraint rows than available."""
+        """The number of times a world exceeded the available contacts or constraint rows."""
         return int(self._counts[0])
 
     @property
@@ -155,7 +155,7 @@ class BatchWorld:
         self._update_poses(at)
 
     def step(self, ctrl: Float[Tensor, "w 8"], substeps: int) -> Bool[Tensor, "w"]:
-        """Make ``substeps`` steps of ``TIMESTEP`` seconds in every world; return which failed.
+        """Make ``substeps`` steps of ``TIMESTEP`` seconds in all worlds; return which ones failed.
 
         The arm's servo commands are interpolated from those of the last call to ``ctrl``, as in
         ``World.step``; the gripper's command changes at once.
@@ -212,7 +212,7 @@ class BatchWorld:
             self._arrays[name].copy_(array)
 
     def _feel(self) -> None:
-        """Update which objects the robot touches."""
+        """Update the record of which objects the robot touches."""
         contacts = [self._arrays[name] for name in ("contact.geom", "contact.worldid", "nacon")]
         self.state.touches.copy_(self._touching.read(contacts[0], contacts[1], contacts[2]))
 

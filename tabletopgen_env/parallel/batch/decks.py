@@ -1,4 +1,4 @@
-"""Decks, each a bank of scenes with drawn episodes, built in this or in a separate process."""
+"""Decks, each a bank of scenes with drawn episodes, built in this process or in a separate one."""
 
 from __future__ import annotations
 

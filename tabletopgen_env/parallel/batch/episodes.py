@@ -83,7 +83,7 @@ class EpisodeDraw:
             yield self._env.world
 
     def explain(self, error: InputError) -> InputError:
-        """Return the error of a bank, extended by the reason why some scenes have no valid task."""
+        """Return a bank's error; if scenes have no valid task, add their number and an example."""
         if not self.left_out:
             return error
         first = self.left_out[0]

@@ -22,7 +22,7 @@ from .union.look_union import LookRows, LookUnion
 
 
 class BatchPictures:
-    """A renderer of a batch of worlds, with haze but no shadows, as in ``TabletopEnv``'s pictures.
+    """A renderer of a batch's pictures, with haze but no shadows, as in ``TabletopEnv``'s pictures.
 
     Glass is opaque, and so is the goal marker, which marks the episode's first goal.
 

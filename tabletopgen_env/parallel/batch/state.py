@@ -77,7 +77,7 @@ class BatchState:
 
     @classmethod
     def of(cls, arrays: Mapping[str, Tensor], at: Addresses, worlds: int) -> BatchState:
-        """Return a state with views of a simulator's arrays, and zeros for those of a bank."""
+        """Return a state with views of a simulator's arrays, and zeros for the bank's fields."""
         qpos, qvel = arrays["qpos"], arrays["qvel"]
         slots = at.slot_bodies.stop - at.slot_bodies.start
 

@@ -26,7 +26,7 @@ class Arms:
 
 
 def arms_at(joints: Float[Array, "n 7"]) -> Arms:
-    """Compute the forward kinematics of joints in radians, with the chain of ``robot.chain``."""
+    """Compute forward kinematics for joint angles in radians, with the chain of ``robot.chain``."""
     xp = namespace(joints)
     cosines, sines = xp.cos(joints), xp.sin(joints)
     x, y, z = (like(column, joints)[None] for column in np.eye(3))
@@ -87,7 +87,7 @@ def ik_steps(
     rotation: Float[Array, "n 3 3"],
     pull: float,
 ) -> Float[Array, "n 7"]:
-    """Take one damped-least-squares step per arm to a tool pose; see ``kinematics.ik_step``."""
+    """Take a damped-least-squares step per arm towards a tool pose; see ``kinematics.ik_step``."""
     xp = namespace(joints)
     arms = arms_at(joints)
     turn = rotation_vectors(rotation @ xp.matrix_transpose(arms.hand))

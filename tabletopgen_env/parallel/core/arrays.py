@@ -31,7 +31,7 @@ def take_rows(values: Array, index: Array) -> Array:
 
 
 def apply(matrices: Array, vectors: Array) -> Array:
-    """Multiply (..., 3, 3) matrices with (..., 3) vectors."""
+    """Multiply (..., 3, 3) matrices by (..., 3) vectors."""
     return (matrices @ vectors[..., None])[..., 0]
 
 

@@ -104,7 +104,7 @@ def _move(servos: Servos, before: Commands, pose: RobotPose, action: Array) -> C
 
 
 def _follow(servos: Servos, commands: Commands, rotation: Array) -> Commands:
-    """Return commands with the joints that follow the commanded points and ``rotation``."""
+    """Return commands whose joints follow the commanded points and ``rotation``."""
     xp = namespace(rotation)
     before, joints = commands.joints, commands.joints
     pull = PULL * min(1.0, servos.share)

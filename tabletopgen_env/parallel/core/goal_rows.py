@@ -142,7 +142,7 @@ def _outer_points(world: World, name: str) -> Float[np.ndarray, "p 3"]:
 
 
 def regions(rows: GoalRows, seen: Readings) -> tuple[Float[Array, "n g 3"], Float[Array, "n g"]]:
-    """Return the current centres and yaws of the goals' regions, defined as in goal vectors."""
+    """Return the current centres and yaws of the goals' regions, as defined for goal vectors."""
     xp = namespace(rows.center)
     turned = take_rows(seen.rotations, rows.reference)
     center = take_rows(seen.positions, rows.reference) + apply(turned, rows.center)

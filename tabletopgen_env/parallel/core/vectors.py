@@ -1,4 +1,4 @@
-"""Comparison of achieved with desired goal vectors for n worlds, and the resulting reward terms.
+"""Comparison of achieved and desired goal vectors for n worlds, and the resulting reward terms.
 
 The formulas are those of ``tasks.task`` for one world; see its table for the entries and the terms.
 """
@@ -41,7 +41,7 @@ class Agreement:
 def agreement(
     achieved: Float[Array, "n v"], desired: Float[Array, "n v"], aside: Mapping[int, int]
 ) -> Agreement:
-    """Compare achieved with desired goal vectors; for ``aside``, see ``tasks.task.Task``."""
+    """Compare achieved and desired goal vectors; for ``aside``, see ``tasks.task.Task``."""
     xp = namespace(achieved)
     a, d = (xp.reshape(v, (v.shape[0], -1, ENTRIES)) for v in (achieved, desired))
     x, y, z = (a[..., k] - d[..., k] for k in range(3))

@@ -46,7 +46,7 @@ def merge(count: int, infos: Iterable[tuple[int, dict[str, Any]]]) -> dict[str, 
 
 
 class InfoWriter:
-    """A writer of the numbers in infos to a column of ``numbers`` per slot, from slot ``first``."""
+    """A writer of the numbers in infos; column k of ``numbers`` belongs to slot ``first`` + k."""
 
     def __init__(self, numbers: Float[np.ndarray, "m n"], first: int) -> None:
         self._numbers = numbers

@@ -35,7 +35,7 @@ class SlotRunner(Protocol):
         ...
 
     def reset(self, seeds: Mapping[int, int | None], options: dict[str, Any]) -> dict[str, Any]:
-        """Reset the slots that are keys of ``seeds``, with a seed or None; return their infos."""
+        """Reset the slots in ``seeds``, which maps each to its seed or None; return their infos."""
         ...
 
     def visit(self, jobs: Mapping[int, Job]) -> list[Any]:

@@ -54,7 +54,7 @@ class _Rollover:
         self._number, self._size = 0, 0
 
     def place(self, size: int) -> tuple[int, int]:
-        """Return the numbers of the chunk and of the file for ``size`` more bytes."""
+        """Return the chunk and file numbers for ``size`` more bytes."""
         if self._size and self._size + size > self._most:
             self._number += 1
             self._size = 0
@@ -63,7 +63,7 @@ class _Rollover:
 
 
 class _Tables:
-    """A writer of Parquet files that stores each table, all with equal columns, as a row group."""
+    """A writer of Parquet files; each table becomes a row group, and all have the same columns."""
 
     def __init__(self, root: Path, pattern: str) -> None:
         self._root, self._pattern = root, pattern

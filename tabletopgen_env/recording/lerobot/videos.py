@@ -102,7 +102,7 @@ def encode(
     codec: Codec,
     quality: int | None = None,
 ) -> None:
-    """Write pictures of equal, even size as an MP4 file.
+    """Write pictures of equal size, with even height and width, as an MP4 file.
 
     Raises:
         OSError: the file cannot be written.

@@ -76,7 +76,7 @@ class Background:
 
     @property
     def width(self) -> int:
-        """The number of scenes generated at a time."""
+        """The number of scenes generated at the same time."""
         return self._workers.width
 
     @property

@@ -120,7 +120,7 @@ class SceneRecipe:
 
 
 def _facts(distribution: SceneDistribution) -> dict[str, Any]:
-    """Return a distribution as JSON values, without empty needs, so that old keys stay valid."""
+    """Return a distribution as JSON values; omit empty ``needs``, so that old keys stay valid."""
     facts = dataclasses.asdict(distribution)
     return {k: v for k, v in facts.items() if k != "needs" or v}
 

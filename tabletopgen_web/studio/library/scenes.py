@@ -89,7 +89,7 @@ class SceneLibrary:
         return files[name]
 
     def save(self, scene: str) -> StudioScene:
-        """Copy a scene of the workspace into the user's store, validated and atomically.
+        """Validate a scene of the workspace, and copy it atomically into the user's store.
 
         Raises:
             RefusedError: the scene does not exist, or is not in the workspace.

@@ -132,7 +132,7 @@ class JobStore(JobHistory):
             self._finish(job, state, error, result)
 
     def resume(self, job: str) -> JobRow:
-        """Queue a failed, cancelled or interrupted job again, with the same request.
+        """Requeue a failed, cancelled or interrupted job with the same request.
 
         Raises:
             RefusedError: the job does not exist, is in another state, or the queue is full.
@@ -158,7 +158,7 @@ class JobStore(JobHistory):
             self._remove(job)
 
     def recover(self) -> list[str]:
-        """Queue again the jobs that were running when the server ended; return their ids.
+        """Requeue the jobs that were running when the server ended; return their ids.
 
         A job stays interrupted if the server ended during several of its runs.
         """

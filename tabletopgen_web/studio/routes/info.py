@@ -35,7 +35,7 @@ async def explain_text(request: Request) -> Response:
 
 
 async def estimate_job(request: Request) -> Response:
-    """Return a job's first requests to servers, without sending them, and their cost."""
+    """Return the first requests that a job would send to servers, and their cost; send nothing."""
     services, asked = services_of(request), await read_json(request)
     spec = await asyncio.to_thread(read_spec, asked)
     await asyncio.to_thread(services.check_begins, spec)

@@ -44,7 +44,7 @@ async def cancel_job(request: Request) -> Response:
 
 
 async def resume_job(request: Request) -> Response:
-    """Queue again a job that ended without a result."""
+    """Requeue a job that ended without a result."""
     return answer(services_of(request).store.resume(request.path_params["job"]), 202)
 
 

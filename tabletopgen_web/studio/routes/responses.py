@@ -69,7 +69,7 @@ def list_files(static: Path) -> Mapping[str, Path]:
 
 
 async def show(scope: Scope, receive: Receive, send: Send) -> None:
-    """Return a file of the page, or the error 404 for any other path that is not an endpoint."""
+    """Return a file of the page, or a 404 error for any other path that is not an endpoint."""
     request = Request(scope, receive)
     path = services_of(request).files.get(scope["path"])
     if path is None or request.method not in ("GET", "HEAD"):

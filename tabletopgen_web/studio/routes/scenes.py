@@ -54,7 +54,7 @@ async def get_thumbnail(request: Request) -> Response:
 
 
 async def get_view(request: Request) -> Response:
-    """Return a file of a scene prepared for the viewer: ``view.json`` lists the others."""
+    """Return a viewer file of a scene; ``view.json`` lists the other files."""
     find = services_of(request).scenes.view_file
     scene, path = request.path_params["scene"], request.path_params["path"]
     return answer_file(await asyncio.to_thread(find, scene, path))

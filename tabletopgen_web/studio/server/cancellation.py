@@ -24,7 +24,7 @@ _GRACE = 0.5  # seconds for requests to finish when the studio ends
 async def run_while_wanted(
     request: Request, changes: Changes, work: Callable[[threading.Event], _T]
 ) -> _T:
-    """Return ``work(cancelled)``, run in a thread after the request's body has been read.
+    """Run ``work(cancelled)`` in a thread once the request's body is read; return its result.
 
     The event is set when the client disconnects, the studio ends, or this task is cancelled; the
     work must end soon after. The call returns or raises only after the work has ended, unless the

@@ -55,7 +55,7 @@ _STUDY_TITLE = "User study"  # raters must not learn the name of a method
 
 @dataclass(frozen=True)
 class Access:
-    """The address of the server, and the token for access.
+    """The server's address and access token.
 
     ``studies`` are the tokens of raters by study. ``ticket`` is valid once, because other users of
     this machine can see the command line of a browser, including the address.
@@ -205,7 +205,7 @@ class StudioGuard:
         return answer
 
     def _open_once(self, given: list[str], headers: Headers) -> Response:
-        """Exchange the ticket in an address, which is valid only once, for a cookie."""
+        """Exchange the single-use ticket in an address for a cookie."""
         ticket = (self._ticket or "").encode()
         if ticket and secrets.compare_digest(given[0].encode("utf-8", "replace"), ticket):
             self._ticket = None

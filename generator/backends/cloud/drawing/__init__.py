@@ -1,1 +1,1 @@
-"""Requests to image models and the processing of their pictures."""
+"""Requests to image models, and processing of the pictures that they return."""

@@ -134,7 +134,7 @@ def _square(picture: RGBA) -> RGBA:
 
 
 def _register(mask: Mask, cutout: Cutout) -> tuple[float, Float[np.ndarray, "2"]]:
-    """Return the scale and the shift (relative to the cut-out) that register a redrawn object."""
+    """Return the scale and the relative shift that register a redrawn object to its cut-out."""
     scale, _ = _best(mask, cutout, _SCALES, _COARSE)
     scale, shift = _best(mask, cutout, _FINE * scale, 2 * _COARSE)
     seen, worth = _worth(cutout, _COARSE)

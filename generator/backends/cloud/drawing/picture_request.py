@@ -160,7 +160,7 @@ class Painter:
         meant: str,
         memo: str,
     ) -> dict[str, Any]:
-        """Make a call, omitting options that the server rejects, now and in later calls."""
+        """Make a call without the options that the server rejects; later calls omit them too."""
         left = {k: v for k, v in options.items() if k not in self.tolerated.unknown}
         while True:
             try:
@@ -244,7 +244,7 @@ class Painter:
 
 
 def _editing(model: str, keep: UInt8[np.ndarray, "h w 4"] | None, clear: bool) -> dict[str, Any]:
-    """Return the options of an edit with OpenAI's image models; see ``Painter.paint``."""
+    """Return the options of an edit request to OpenAI's image models; see ``Painter.paint``."""
     options: dict[str, Any] = {} if _FAITHFUL.search(model) else {"input_fidelity": "high"}
     if clear and not _OPAQUE.search(model):
         options["background"] = "transparent"

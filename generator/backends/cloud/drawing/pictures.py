@@ -54,7 +54,7 @@ def shrink(picture: UInt8[np.ndarray, "h w c"], maximum: int) -> UInt8[np.ndarra
 def pad(
     picture: UInt8[np.ndarray, "h w 3"], minimum: float, maximum: float
 ) -> UInt8[np.ndarray, "a b 3"]:
-    """Return a picture padded with white to an aspect ratio within limits."""
+    """Return a picture padded with white until its aspect ratio is within limits."""
     height, width = picture.shape[:2]
     across = max(width, int(np.ceil(height * minimum)))
     down = max(height, int(np.ceil(width / maximum)))
@@ -81,7 +81,7 @@ def thing_in(picture: RGBA) -> Bool[np.ndarray, "h w"]:
 
 
 def apart(colors: UInt8[np.ndarray, "*n 3"], color: ArrayLike) -> Float[np.ndarray, "*n"]:
-    """Return the largest channel difference, in grey levels, of each colour from ``color``."""
+    """Return each colour's largest channel difference from ``color``, in grey levels."""
     off = np.abs(colors.astype(np.float32) - np.asarray(color, np.float32))
     return np.maximum(np.maximum(off[..., 0], off[..., 1]), off[..., 2])
 

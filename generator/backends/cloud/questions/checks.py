@@ -90,7 +90,7 @@ _VIEWS: dict[str, tuple[tuple[int, int, int], tuple[int, int, int]]] = {
 
 
 def six_sides(mesh: Mesh) -> UInt8[np.ndarray, "h w 3"]:
-    """Return a sheet of a mesh seen along each axis, labelled by the axis towards the camera."""
+    """Return a sheet of a mesh's six views, each labelled with the axis towards the camera."""
     middle = (mesh.bounds[0] + mesh.bounds[1]) / 2
     radius = float(np.linalg.norm(mesh.extent)) / 2
     item = Item(mesh.vertices - middle, mesh.faces, mesh.uv, mesh.texture, 0, mesh.opacity)

@@ -11,7 +11,7 @@ from ....scene import TABLE, PlannedGroup, ScenePlan
 
 
 def in_words(plan: ScenePlan) -> tuple[str, str]:
-    """Return the descriptions of a plan's table and of its objects, one line per object."""
+    """Return descriptions of a plan's table and objects, one line per object."""
     table = plan.table
     length, width, height = (round(100 * v) for v in table.size)
     color = f"{table.color} " if table.color else ""

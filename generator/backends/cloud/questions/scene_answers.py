@@ -18,7 +18,7 @@ from .plan_text import in_cm
 
 
 def kinds(answer: KindsAnswer) -> tuple[str, ...]:
-    """Return "table" and the noun of each kind, once for each of its instances."""
+    """Return "table" and each kind's noun, repeated for each of its instances."""
     nouns = [" ".join(kind.noun.lower().split()) for kind in answer.kinds]
     twice = sorted({n for n in nouns if nouns.count(n) > 1})
     if twice:
@@ -78,7 +78,7 @@ def _layer(name: str, supports: Mapping[str, tuple[str, bool]]) -> int:
 def layout(
     answer: PlacesAnswer, shown: Labelled, length: float, width: float
 ) -> dict[str, LayoutBox]:
-    """Return the objects' positions and sizes in metres; the tabletop's size is in centimetres."""
+    """Return objects' positions and sizes in metres, given the tabletop's size in centimetres."""
     by_name = shown.match(answer.places, without=(0,))
     beyond = [a.id for a in by_name.values() if abs(a.x) > length / 2 or abs(a.y) > width / 2]
     if beyond:

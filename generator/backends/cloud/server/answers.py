@@ -33,7 +33,7 @@ Axis = Literal["+x", "-x", "+y", "-y", "+z", "-z"]
 
 
 class ModelAnswer(BaseModel):
-    """A model's answer: frozen, with finite numbers only; unexpected keys are ignored."""
+    """A model's answer: immutable, with finite numbers only; unexpected keys are ignored."""
 
     model_config = ConfigDict(extra="ignore", frozen=True, allow_inf_nan=False)
 

@@ -98,7 +98,7 @@ class Server:
             return self.failure(question, str(error))
 
     def headers(self, question: str, meant: str, memo: str) -> dict[str, str]:
-        """Return the internal headers that describe a call to the session; see ``call``."""
+        """Return the internal headers that tell the session about a call; see ``call``."""
         return {
             "x-tabletopgen-question": question, "x-tabletopgen-model": self.model,
             "x-tabletopgen-memo": memo, "x-tabletopgen-meant": meant,

@@ -1,4 +1,4 @@
-"""The cloud backend's servers, models and keys, from fields or else from the environment.
+"""The cloud backend's servers, models and keys, read from fields or else from the environment.
 
 ========================================  ==========================================================
 ``TABLETOPGEN_CLOUD_BASE_URL``            the chat server, default ``https://api.openai.com/v1``
@@ -129,7 +129,7 @@ def server_name(url: str) -> str:
 
 
 def key(url: str, purpose: Purpose, what: str = "cloud") -> str:
-    """Return the server key that ``what`` needs, or raise BackendError naming the variables."""
+    """Return the server key that ``what`` needs, or raise an error that names the variables."""
     if found := keys(url, purpose):
         return found[0]
     if local(host(url)):
@@ -148,7 +148,7 @@ def keys(url: str, purpose: Purpose) -> tuple[str, ...]:
 
 
 def key_variables(url: str, purpose: Purpose) -> tuple[str, ...]:
-    """Return the environment variables that may contain a server's key; the first set one is used.
+    """Return the environment variables that may hold a server's key, in order of precedence.
 
     A provider's own key is sent only to that provider's hosts, and the chat server's key to no
     other host.
@@ -162,7 +162,7 @@ def key_variables(url: str, purpose: Purpose) -> tuple[str, ...]:
 
 
 def own_headers(url: str) -> tuple[str, ...]:
-    """Return the names of headers sent only to OpenAI, or none if ``url`` is another server's."""
+    """Return the names of headers that only OpenAI receives, or none if ``url`` is not OpenAI's."""
     return ("openai-organization", "openai-project") if host(url) == host(OPENAI) else ()
 
 

@@ -1,4 +1,4 @@
-"""Extraction of JSON (bare, fenced or embedded) from a chat model's text, repaired if needed."""
+"""Extraction and repair of JSON (bare, fenced or embedded) in a chat model's text."""
 
 from __future__ import annotations
 
@@ -52,7 +52,7 @@ def read_object(text: str) -> dict[str, Any]:
 
 
 def is_refusal(text: str) -> bool:
-    """Return whether an answer without JSON begins like a refusal."""
+    """Return whether an answer contains no JSON and begins like a refusal."""
     return "{" not in text and bool(_REFUSAL.match(text.strip()))
 
 
@@ -68,7 +68,7 @@ def _pieces(text: str) -> Iterator[str]:
 
 
 def _end(text: str, start: int) -> int:
-    """Return the end of the JSON object at ``start``, or the text's end if it is not closed.
+    """Return the end of the JSON object at ``start``, or of the text if the object is unclosed.
 
     An apostrophe does not open a string, because JSON strings use double quotes.
     """
@@ -95,7 +95,7 @@ def _object(text: str) -> dict[str, Any] | None:
 
 
 def _without_thoughts(text: str) -> str:
-    """Remove marked reasoning from a text, from each start mark to the next end mark."""
+    """Remove marked reasoning, which extends from each start mark to the next end mark."""
     kept, at = [], 0
     while (begin := _THOUGHT.search(text, at)) and (end := _THOUGHT_END.search(text, begin.end())):
         kept.append(text[at : begin.start()])

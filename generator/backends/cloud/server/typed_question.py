@@ -48,7 +48,7 @@ Picture = UInt8[np.ndarray, "_ _ 3"]
 
 @dataclass
 class Manners:
-    """Request features that a server accepts: an answer format, and whether it accepts a seed."""
+    """Request features that a server accepts: an answer format and possibly a seed."""
 
     form: int = 0
     seed: bool = True

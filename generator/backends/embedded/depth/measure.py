@@ -49,7 +49,7 @@ class ObservedSolid:
 
     @property
     def inner(self) -> float:
-        """The height at the object's centre, seen from above; in a container, that of its floor."""
+        """The height at the centre, seen from above; for a container, the height of its floor."""
         middle = self._within(0.3)
         heights = self.points[middle, 2] if middle.any() else self.points[:, 2]
         return float(np.percentile(heights, 20))
@@ -136,7 +136,7 @@ def _above_tabletop(points: Float[np.ndarray, "n 3"]) -> Float[np.ndarray, "k 3"
 def _box(
     places: Float[np.ndarray, "n 2"],
 ) -> tuple[Float[np.ndarray, "2"], float, tuple[float, float]]:
-    """Return the centre, the yaw and (length, width) of the tightest box, ignoring outliers.
+    """Return the centre, yaw and (length, width) of the tightest bounding box, ignoring outliers.
 
     Objects whose boxes are about equally tight at all angles, such as round ones, are aligned with
     the table's axes.
@@ -172,7 +172,7 @@ def _deepen(
 
 
 def holds(below: ObservedSolid, thing: ObservedSolid) -> float:
-    """Return the fraction of ``thing`` above ``below``, or 0 if its height rules out support."""
+    """Return the fraction of ``thing`` above ``below``, or 0 if their heights rule out support."""
     rise = max(below.top - below.bottom, 0.01)
     if thing.bottom < below.bottom + (0.3 if below.hollow else 0.6) * rise - 0.005:
         return 0.0

@@ -269,7 +269,7 @@ def _draw(
     side: int,
     rng: np.random.Generator,
 ) -> Level | None:
-    """Return the level plane with the most inliers among those through three neighbours."""
+    """Return the level plane with the most inliers among planes through three nearby points."""
     first = rng.integers(len(cloud), size=_TRIES)
     others = [_neighbours(pixels, first, _NEAR * side, rng) for _ in range(2)]
     a, b, c = (cloud[k] for k in (first, *others))

@@ -1,4 +1,4 @@
-"""Proposals of objects on a table from its depth map, and corrections of detections.
+"""Object proposals from a table's depth map, and corrections of detections.
 
 A detector that uses only colours confuses prints and parts with objects. Depth shows flat regions,
 regions that belong together, and missed objects.
@@ -91,7 +91,7 @@ def _pieces(mask: Mask, minimum: int) -> list[Mask]:
 
 
 def _part(region: Mask, height: Float[np.ndarray, "h w"], minimum: int) -> list[Mask]:
-    """Split a region into the parts above a height threshold; other pixels join the nearest one."""
+    """Split a region into parts above a height threshold; other pixels join the nearest part."""
     tall = float(np.percentile(height[region], 98))
     for share in _WATERLINES:
         islands = _pieces(region & (height > share * tall), minimum)
@@ -109,7 +109,7 @@ def _part(region: Mask, height: Float[np.ndarray, "h w"], minimum: int) -> list[
 def confirm(
     found: Sequence[Detection], depth: Float[np.ndarray, "h w"], plane: TablePlane
 ) -> list[Detection]:
-    """Return a detector's detections, corrected by depth.
+    """Return a detector's detections, corrected with the depth map.
 
     Uncertain detections that are level with the table are removed, masks lose the tabletop around
     their object, and unsupported upper parts are merged with the object to which they belong or
@@ -153,7 +153,7 @@ def _with_mask(thing: Detection, mask: Mask, full: Mask | None) -> Detection:
 def _rejoin(
     things: list[Detection], depth: Float[np.ndarray, "h w"], plane: TablePlane
 ) -> list[Detection]:
-    """Merge unsupported upper parts into the lower part that they touch in the image and in depth.
+    """Merge each unsupported upper part into the lower part next to it at a similar depth.
 
     A confident detection may have a hidden foot: it is merged only if it continues the other's flat
     side.
@@ -202,7 +202,7 @@ def _one_side(one: Detection, other: Detection, points: Float[np.ndarray, "h w 3
 
 
 def _contact(one: Detection, other: Detection, depth: Float[np.ndarray, "h w"]) -> int:
-    """Return the number of pixels of ``one`` that touch ``other`` in the picture and in depth."""
+    """Return the number of ``one``'s pixels next to ``other`` in the picture at a similar depth."""
     a, b = np.asarray(one.mask), np.asarray(other.mask)
     here, there = a & dilate(b, 9) & (depth > 0), b & dilate(a, 9) & (depth > 0)
     if here.sum() < np.sqrt(min(a.sum(), b.sum())) or not there.any():
@@ -225,7 +225,7 @@ def _grow(
     depth: Float[np.ndarray, "h w"],
     plane: TablePlane,
 ) -> list[Detection]:
-    """Return the detections; those that hover are extended into regions that touch no other."""
+    """Return the detections, extending hovering ones into regions that touch no other detection."""
     taken = [np.asarray(t.mask) for t in things]
     grown = list(things)
     for region in regions:

@@ -72,7 +72,7 @@ def overlaps(masks: Tensor) -> Tensor:
 
 
 def apart(score: Tensor, clash: Tensor) -> list[int]:
-    """Return the indices, by confidence, of detections without a more confident clashing one."""
+    """Return the indices of detections by confidence, omitting those that clash with a kept one."""
     kept: list[int] = []
     for k in score.argsort(descending=True).tolist():
         if score[k] > 0 and not clash[k, kept].any():

@@ -1,4 +1,4 @@
-"""Learned non-maximum suppression: selects the detections that are separate objects.
+"""Learned non-maximum suppression, which selects the detections that are separate objects.
 
 Suppressing every detection that overlaps a more confident one would lose objects in bowls or in
 front of boxes. A small network decides instead, as in Hosang et al., "Learning non-maximum

@@ -49,7 +49,7 @@ class _Block(nn.Module):
 
 
 class Lite0(nn.Module):
-    """An encoder of (b, 3, h, w) images in [0, 1] as maps of stride 4 to 32; 32 divides h and w."""
+    """A network that turns (b, 3, 32 h, 32 w) images in [0, 1] into maps of stride 4 to 32."""
 
     def __init__(self) -> None:
         super().__init__()

@@ -196,7 +196,7 @@ class Eye(nn.Module):
         )
 
     def outline(self, maps: Maps, images: Tensor, image: Tensor, rough: Tensor) -> Tensor:
-        """Return (n, 2h, 2w) logits of the visible masks of objects with rough masks.
+        """Return (n, 2h, 2w) logits of the visible masks of objects, given rough masks.
 
         Args:
             maps: of the batch.
@@ -263,7 +263,7 @@ class Eye(nn.Module):
         return self.namer(self.impression(closeups, visible, hints))
 
     def impression(self, closeups: Tensor, visible: Tensor, hints: Tensor) -> Tensor:
-        """Return the naming features (n, ``IMPRESSION``), given arguments as in :meth:`names`."""
+        """Return the naming features (n, ``IMPRESSION``); the arguments are as in :meth:`names`."""
         features = self.encoder(closeups)
         summary = _pool(self.encoder.summary(features[3]), visible)
         return torch.cat([summary, _pool(features[2], visible), hints], 1)

@@ -65,7 +65,7 @@ def proportion_clues(
     elevations: Sequence[float],
     tabletop: float,
 ) -> Float[np.ndarray, "n c"]:
-    """Return the inputs of ``ProportionNetwork`` for the objects under ``masks``, all non-empty.
+    """Return the inputs of ``ProportionNetwork`` for the objects under non-empty ``masks``.
 
     ``elevations`` are the angles of the objects' feet below the horizon in radians. ``tabletop`` is
     the number of pixels that the tabletop covers, including the objects on it.

@@ -1,4 +1,4 @@
-"""Detection of the table, the objects with masks and names, and the view in one picture.
+"""Detection of the table, of the objects (with masks and names), and of the view in one picture.
 
 There are four passes: the whole picture gives detections, and a crop around each refines its mask;
 crops of the selected objects refine their outlines, and close-ups give their names.
@@ -179,7 +179,7 @@ def _closer(
 def _new(
     seen: list[EyeDetection], more: list[tuple[float, Frame, Tensor]], size: tuple[int, ...]
 ) -> list[EyeDetection]:
-    """Add detections of the crops that match none of ``seen``, without duplicates."""
+    """Return ``seen`` with the crops' detections that match none of them, without duplicates."""
     taken = [(detection.visible, int(detection.visible.sum())) for detection in seen]
     new: list[EyeDetection] = []
     for score, frame, masks in more:

@@ -1,4 +1,4 @@
-"""Close-up segmentation of each object, for a finer outline and for parts that were missed.
+"""Close-up segmentation of each object, to refine its outline and to find parts that were missed.
 
 A point prompt at the middle of an outline selects the object without prescribing its extent. The
 parts of the resulting mask beyond the outline belong to the object, unless they are another object
@@ -80,7 +80,7 @@ def complete(
     clear: Sequence[bool],
     may_be_thing: Callable[[Bool[np.ndarray, "h w"]], bool],
 ) -> list[Bool[np.ndarray, "h w"]]:
-    """Return the outlines, each completed by its missed parts; pieces of one object are merged.
+    """Return the outlines, each extended with the parts that it missed; merge pieces of one object.
 
     ``clear`` marks outlines that are certainly separate objects; only their own close-ups can show
     that they are pieces. ``may_be_thing`` rejects wholes that are the table or the background.

@@ -119,7 +119,7 @@ def _complete(
     masks: list[Bool[np.ndarray, "h w"]],
     name: Callable[[Sequence[Bool[np.ndarray, "h w"]]], list[Float[np.ndarray, "k"]]],
 ) -> list[Bool[np.ndarray, "h w"]]:
-    """Return the masks, refined in close-ups and completed by parts that were missed."""
+    """Return the masks, refined in close-ups and extended with the parts that they missed."""
     region, top = sight.region[REGIONS.index("thing")], sight.top > 0.5
     seen = [look_closer(model, look, image, mask) for mask in masks]
     clear = _are_clear(masks, name(masks), sight)

@@ -60,7 +60,7 @@ def choose(
 def join_parts(
     masks: Sequence[Bool[np.ndarray, "h w"]], stands: Sequence[bool], own: Sequence[bool]
 ) -> list[Bool[np.ndarray, "h w"]]:
-    """Return the masks with parts merged into the mask that they touch most.
+    """Return the masks, merging each part into the mask that it touches most.
 
     A mask that stands on nothing is a part: a lamp's head is held by its arm. So is a mask that,
     judging by its name and the detections, is not a separate object (``own``) and that touches
@@ -124,7 +124,7 @@ def _named_apart(inner: Float[np.ndarray, "k"], outer: Float[np.ndarray, "k"]) -
 def _without_copies(
     proposals: Sequence[Proposal], masks: Sequence[Bool[np.ndarray, "h w"]], areas: Sequence[int]
 ) -> list[int]:
-    """Return the indices of the masks after removing duplicates, keeping each object's best."""
+    """Return the indices of the masks without duplicates, keeping the best mask of each object."""
     kept: list[int] = []
     for k in sorted(range(len(masks)), key=lambda k: -proposals[k].quality * proposals[k].seen):
         shared = [int((masks[k] & masks[j]).sum()) for j in kept]

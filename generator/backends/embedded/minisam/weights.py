@@ -46,7 +46,7 @@ _ARCHIVE = 2**26  # maximum size of the packed package in bytes
 
 
 def home_of(folder: Path) -> Path:
-    """Return the folder of the weight files in a folder of models; it need not exist."""
+    """Return the weight files' folder in a folder of models; the returned folder need not exist."""
     return folder / f"{NAME}-{VERSION}"
 
 

@@ -207,7 +207,7 @@ def _holding(rim: _Rim, carried: Float[np.ndarray, "n 2"]) -> _Rim:
 
 @dataclass(frozen=True, eq=False)
 class _Top:
-    """A fitted outline on the plane: rotated by ``turn`` about ``center``.
+    """A fitted outline on the plane, rotated by ``turn`` about ``center``.
 
     ``error`` is the robust root mean squared distance of true edge points in pixels.
     """
@@ -222,7 +222,7 @@ class _Top:
 
 
 def _fit(rim: _Rim, shape: OutlineShape, flipped: bool) -> _Top:
-    """Fit an outline of a given shape that contains all points and meets those on edges."""
+    """Fit an outline of a given shape that passes through edge points and contains all others."""
     found = []
     for turn in _turns(rim) if shape == "rectangle" else (_turns(rim)[0], 0.0):
         turned = rim.places @ rotation_z(turn)[:2, :2]

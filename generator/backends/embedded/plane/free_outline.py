@@ -1,4 +1,4 @@
-"""Detected outlines of tabletops that are not a rectangle, an ellipse or a triangle."""
+"""Detected outlines of tabletops that are not rectangles, ellipses or triangles."""
 
 from __future__ import annotations
 

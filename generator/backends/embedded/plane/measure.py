@@ -21,7 +21,7 @@ _THINNEST = 0.003  # metres
 
 
 def _rounded_box() -> Float[np.ndarray, "32 3"]:
-    """Return the outer points of a unit upright box with cut corners that stands on z = 0."""
+    """Return the outer points of an upright unit box with cut corners that stands on z = 0."""
     turn = np.arange(16) * np.pi / 8
     ring = np.clip(0.6 * np.column_stack([np.cos(turn), np.sin(turn)]), -0.5, 0.5)
     return np.vstack([np.column_stack([ring, np.full(16, z)]) for z in (0.0, 1.0)])
@@ -58,7 +58,7 @@ def measured_extent(
 
 
 def _outline_depth(mask: Bool[np.ndarray, "h w"], plane: TablePlane) -> float:
-    """Return twice the depth range of a mask's lower outline on the plane, in metres."""
+    """Return twice the front-to-back length of a mask's lower outline on the plane, in metres."""
     columns = np.flatnonzero(mask.any(0))
     lowest = (mask.shape[0] - mask[::-1, columns].argmax(0)).astype(float)
     near = lowest.max() - lowest < 0.6 * np.ptp(np.flatnonzero(mask.any(1))) + 1

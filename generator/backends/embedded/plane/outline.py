@@ -141,7 +141,7 @@ def snap(
 
 
 def _sample(field: Float[np.ndarray, "h w"], points: Float[np.ndarray, "n m 2"]) -> np.ndarray:
-    """Return bilinear values at pixel positions (centres at half-integers), with edges repeated."""
+    """Interpolate bilinearly at pixel positions (centres at half-integers), with edges repeated."""
     x, y = (np.ascontiguousarray(points[..., k] - 0.5, np.float32) for k in range(2))
     field = np.ascontiguousarray(field, np.float32)
     return np.asarray(cv2.remap(field, x, y, cv2.INTER_LINEAR, borderMode=cv2.BORDER_REPLICATE))

@@ -38,7 +38,7 @@ _TRUST = 12.0  # number of independent edge points that a complete outline is wo
 
 @dataclass(frozen=True)
 class _Kind:
-    """A kind of tabletop, with priors of log(depth / length) and of the azimuth in radians."""
+    """A kind of tabletop, with priors for log(depth / length) and for the azimuth in radians."""
 
     shape: OutlineShape
     flipped: bool
@@ -206,7 +206,7 @@ def _pixels_off(
     kind: _Kind,
     frame: tuple[int, int],
 ) -> Float[np.ndarray, "n"]:
-    """Return the distances in pixels of edge points from the outline, to first order."""
+    """Return edge points' distances from the outline in pixels, to first order."""
     camera = _camera(parameters, *frame)
     on_plane = camera.on_plane(points, 0.0)
     seen = np.asarray(np.isfinite(on_plane).all(1))

@@ -51,7 +51,7 @@ def _find(
     length: float | None,
     view: View | None,
 ) -> TablePlane:
-    """Compute :func:`find_tabletop` with a cache, since several stages use the same picture."""
+    """Find the tabletop; the result is cached, because several stages use the same picture."""
     image = np.frombuffer(pixels, np.uint8).reshape(*size, 3)
     sight = see(image)
     elevation, fov = fit_view(sight.latitude)
@@ -119,7 +119,7 @@ _DOUBT = np.deg2rad(3.0)  # typical error of the map in radians
 
 
 def fit_view(latitude: Float[np.ndarray, "h w"]) -> tuple[float, float]:
-    """Estimate a level camera's elevation and vertical field of view (radians) from latitudes.
+    """Estimate the elevation and vertical field of view (radians) of a roll-free camera.
 
     ``latitude`` is each pixel's angle below the horizon in radians. Pixels are square, and the
     principal point is the image centre.
@@ -142,6 +142,6 @@ def fit_view(latitude: Float[np.ndarray, "h w"]) -> tuple[float, float]:
 def _angles(
     u: Float[np.ndarray, "n"], v: Float[np.ndarray, "n"], elevation: float, focal: float
 ) -> Float[np.ndarray, "n"]:
-    """Return the angles of rays below the horizon; u, v and focal are in picture heights."""
+    """Return rays' angles below the horizon; ``u``, ``v`` and ``focal`` are in picture heights."""
     down = v / focal * np.cos(elevation) + np.sin(elevation)
     return np.arcsin(np.clip(down / np.sqrt(1 + (u**2 + v**2) / focal**2), -1, 1))

@@ -1,4 +1,4 @@
-"""Boxes of any yaw fitted to a silhouette, and boxes carved by it."""
+"""Boxes of any yaw that fit a silhouette, and boxes that a silhouette carves."""
 
 from __future__ import annotations
 

@@ -53,7 +53,7 @@ def descend(
     tries: int,
     near: float = 1e-4,
 ) -> np.ndarray:
-    """Minimise ``cost`` with Nelder-Mead, in at most ``tries`` evaluations or to within ``near``.
+    """Minimise ``cost`` by Nelder-Mead, with at most ``tries`` evaluations and tolerance ``near``.
 
     The initial simplex has one step along each axis.
     """

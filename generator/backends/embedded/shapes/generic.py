@@ -1,4 +1,4 @@
-"""Selection of the generic solid for a silhouette: one of each family is fitted and scored."""
+"""Selection of the generic solid for a silhouette: solids of each family are fitted and scored."""
 
 from __future__ import annotations
 

@@ -70,7 +70,7 @@ def _rings(
     depth: float,
     angles: slice = slice(None),
 ) -> np.ndarray:
-    """Return points around level ellipses; ``z``, ``x`` and ``r`` broadcast together."""
+    """Return points on level ellipses; ``z``, ``x`` and ``r`` broadcast together."""
     across = x[..., None] + r[..., None] * np.cos(_ANGLES[angles])
     ahead = depth * r[..., None] * np.sin(_ANGLES[angles])
     points = across[..., None] * projection.right + ahead[..., None] * projection.away
@@ -78,7 +78,7 @@ def _rings(
 
 
 def reach_of(mask: Mask, projection: Projection) -> tuple[float, float]:
-    """Return the limits of slices sideways and upwards, in units of the object frame."""
+    """Return the sideways and upward limits of slices, in units of the object frame."""
     width = int(mask.any(0).sum()) * projection.pixel
     tall = int(mask.any(1).sum())
     tall = 1.3 * tall * projection.pixel / max(np.sqrt(1 - projection.sine**2), 0.25)
@@ -130,7 +130,7 @@ def longest_run(stack: EllipseStack, minimum: float) -> EllipseStack | None:
 
 
 def _runs(flags: Bool[np.ndarray, "n"]) -> list[tuple[int, int]]:
-    """Return start and stop of each run of true values."""
+    """Return the start and stop of each run of true values."""
     edges = np.flatnonzero(np.diff(np.pad(flags.astype(int), 1))).tolist()
     return list(zip(edges[::2], edges[1::2], strict=True))
 

@@ -129,7 +129,7 @@ def simplify_profile(
 
 
 def join(solids: list[ConvexSolid]) -> ConvexSolid:
-    """Merge solids that have a common frame into one solid; each of them stays closed."""
+    """Merge solids in a common frame into one solid, whose parts stay closed."""
     counts = np.cumsum([0, *(len(s.vertices) for s in solids)])
     return ConvexSolid(
         np.concatenate([s.vertices for s in solids]),
@@ -139,7 +139,7 @@ def join(solids: list[ConvexSolid]) -> ConvexSolid:
 
 
 def prism(outline: Polygon, height: float) -> ConvexSolid:
-    """Return a polygon in the xy plane extruded from z = 0 to ``height``."""
+    """Return the extrusion of a polygon in the xy plane from z = 0 to ``height``."""
     mesh = trimesh.creation.extrude_polygon(outline, height, engine="earcut")
     mesh.merge_vertices()
     parts = []
@@ -152,7 +152,7 @@ def prism(outline: Polygon, height: float) -> ConvexSolid:
 
 
 def upright(outline: Polygon, depth: float) -> ConvexSolid:
-    """Return a polygon in the xz plane (z up) extruded along y from -depth/2 to depth/2."""
+    """Return the extrusion of a polygon in the xz plane (z up) along y from -depth/2 to depth/2."""
     lying = prism(outline, depth)
 
     def stand(points: np.ndarray) -> np.ndarray:

@@ -84,7 +84,7 @@ def distinct(detections: Sequence[BoxDetection]) -> list[BoxDetection]:
 def name_generic(
     detections: Sequence[BoxDetection], generic: str, better: Sequence[BoxDetection]
 ) -> list[BoxDetection]:
-    """Replace the label ``generic`` of detections by the best specific word for their boxes."""
+    """Replace the label ``generic`` of detections with the best specific word for each box."""
     made = []
     for detection in detections:
         if detection.label == generic:

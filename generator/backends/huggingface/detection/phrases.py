@@ -32,7 +32,7 @@ class PhraseQuestion:
 def questions(
     words: Sequence[str], tokenizer: Any, most_words: int, most_tokens: int
 ) -> tuple[PhraseQuestion, ...]:
-    """Return prompts that cover all words, within the limits of words and tokens per prompt.
+    """Return prompts that cover all words, within the limits on words and tokens per prompt.
 
     The words keep their order. A word that is too long for a prompt is truncated; words without
     letters are skipped.

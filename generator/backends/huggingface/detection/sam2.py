@@ -66,7 +66,7 @@ class Sam2:
 def enlarge(
     logits: Float[Tensor, "n a b"], size: tuple[int, int], threshold: float
 ) -> list[Bool[np.ndarray, "h w"]]:
-    """Return the masks of maps above a threshold, resized to (width, height)."""
+    """Resize maps to (width, height), and return the masks of values above a threshold."""
     from torch.nn import functional
 
     shape = size[::-1]

@@ -69,7 +69,7 @@ PICKLES = (".bin", ".pt", ".pth", ".ckpt", ".pkl", ".pickle")
 
 
 def snapshot(pin: Pin, folder: Path) -> Path:
-    """Return the location of a model at its commit; it need not exist."""
+    """Return the folder of a model at its commit; the returned folder need not exist."""
     name = f"models--{pin.repository.replace('/', '--')}"
     return folder / name / "snapshots" / pin.revision
 

@@ -76,7 +76,7 @@ class Carry:
 
 @dataclass(frozen=True)
 class Lack:
-    """Objects that an object lacks, or a ``place`` at which it is said not to be."""
+    """Objects that an object lacks, or a ``place`` where it is said not to be."""
 
     items: tuple[Noun, ...]
     place: Location | None = None

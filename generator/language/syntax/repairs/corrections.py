@@ -129,7 +129,7 @@ def _marker(tokens: Sequence[Token], i: int) -> tuple[int, int] | None:
 
 
 def _words(tokens: Sequence[Token], i: int) -> tuple[str, ...]:
-    """Return up to four words, starting from a token, up to the next punctuation mark."""
+    """Return at most four words from a token onwards, stopping before the next punctuation mark."""
     words: list[str] = []
     for token in tokens[i : i + 4]:
         if token.tag in (*_PAUSES, *ENDS):

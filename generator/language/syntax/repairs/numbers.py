@@ -131,7 +131,7 @@ def _read_counts(nouns: Sequence[Noun], posts: Sequence[Counted | Description]) 
 
 
 def _spelt_unused(text: str, nouns: Iterable[Noun]) -> Iterator[WrittenNumber]:
-    """Yield spelled-out numbers of parts ("three handles") or in names ("a ten euro note")."""
+    """Yield spelled-out numbers of parts ("three handles") and those in names ("ten euro note")."""
     for noun in nouns:
         start, end = noun.span
         found = _SPELT.search(text, start, end)

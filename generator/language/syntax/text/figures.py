@@ -114,7 +114,7 @@ def _blank(found: re.Match[str], role: Role) -> WrittenNumber:
 
 
 def _ordinal(text: str, found: re.Match[str]) -> WrittenNumber:
-    """Parse "2nd", which the grammar handles as "second", unlike "7th"."""
+    """Parse "2nd", which the grammar reads as "second"; ordinals above "6th" are blanked out."""
     if 1 <= int(found.group()[:-2][:9]) <= max(fw.ORDINALS.values()):
         return WrittenNumber(found.group(), *found.span(), role="name")
     return _blank(found, "aside")
@@ -249,7 +249,7 @@ def _role(text: str, found: re.Match[str], unit: str) -> tuple[Role, str | None]
 
 
 def _is_fraction(digits: str) -> bool:
-    """Return whether digits are just a fraction; halves describe objects ("1/2 a lemon")."""
+    """Return whether digits are only a fraction, but not "1/2", which describes objects."""
     alone = re.fullmatch(rf"\d+/\d+|[{FRACTIONS}]", digits) is not None
     return alone and digits not in ("1/2", "½")
 

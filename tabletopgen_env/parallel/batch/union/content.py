@@ -45,7 +45,7 @@ BODY_FIELDS = (
 
 @dataclass(frozen=True, eq=False)
 class BodyGeoms:
-    """The colliding geoms of a body.
+    """The collision geoms of a body.
 
     ``kinds`` and ``hulls`` (mesh names, None for primitives) have one entry per geom, and each
     array of ``fields``, by ``GEOM_FIELDS``, has one row per geom.
@@ -128,7 +128,7 @@ class SceneContent:
 
 
 def robot_numbers(model: mujoco.MjModel) -> Float[np.ndarray, "_r"]:
-    """Return the inertias, geom sizes, friction and gains of a model's robot, to compare robots."""
+    """Return a robot model's inertias, geom sizes, friction and gains, for comparing robots."""
     bodies = np.flatnonzero(gripper_sides(model))
     geoms = np.isin(model.geom_bodyid, bodies) & (model.geom_contype > 0)
     numbers = [getattr(model, field)[bodies] for field in ("body_mass", "body_inertia")]
@@ -138,7 +138,7 @@ def robot_numbers(model: mujoco.MjModel) -> Float[np.ndarray, "_r"]:
 
 
 def _object(world: World, row: int) -> ObjectContent:
-    """Read the object in a row of a world."""
+    """Read the object with index ``row`` in a world."""
     model, body = world.model, int(world.bodies[row])
     thing, dof = world.scene.objects[row], model.body_dofadr[body]
     quaternion = turned_quaternion(thing.pose.quaternion, -world.mount.yaw)
@@ -163,7 +163,7 @@ def _geoms(model: mujoco.MjModel, geoms: list[int]) -> BodyGeoms:
 
 
 def _colliding(model: mujoco.MjModel, body: int) -> list[int]:
-    """Return the geoms of a body that can collide."""
+    """Return the collision geoms of a body."""
     first = model.body_geomadr[body]
     geoms = range(first, first + model.body_geomnum[body])
     return [g for g in geoms if model.geom_contype[g]]

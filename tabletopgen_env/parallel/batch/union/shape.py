@@ -32,7 +32,7 @@ class UnionShape:
 
     @classmethod
     def around(cls, contents: Sequence[SceneContent]) -> UnionShape:
-        """Return a shape with few geoms that fits the contents of all scenes.
+        """Return a shape that fits the contents of all scenes and has few geoms.
 
         Scenes are added in order of decreasing geom count; each assigns its objects to slots so
         that the fewest geoms have to be added.

@@ -105,7 +105,7 @@ def merge_parts(parts: Sequence[ConvexPart], most: int) -> tuple[ConvexPart, ...
 
 
 def _volume(points: Float[np.ndarray, "n 3"]) -> float:
-    """Return the volume of the convex hull of points in cubic metres, 0 for flat ones."""
+    """Return the volume of the points' convex hull in cubic metres, or 0 for coplanar points."""
     try:
         return float(ConvexHull(points).volume)
     except QhullError:

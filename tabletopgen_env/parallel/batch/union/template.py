@@ -135,7 +135,7 @@ def places(model: mujoco.MjModel, body: int, room: Room) -> dict[GeomKind, list[
 
 
 def _undress(arm: mujoco.MjSpec) -> mujoco.MjSpec:
-    """Remove the geoms of a robot that do not collide."""
+    """Remove a robot's non-colliding geoms."""
     for geom in arm.geoms:
         if not (geom.contype or geom.conaffinity):
             arm.delete(geom)
