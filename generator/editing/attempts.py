@@ -127,7 +127,7 @@ def find_disturbed(before: Scene, now: Scene, gap: float) -> frozenset[str]:
 
 
 def find_connected(before: Scene, now: Scene, names: Collection[str], gap: float) -> frozenset[str]:
-    """Return the names of objects linked to ``names`` by chains of contacts, before or after."""
+    """Return the names of objects linked to ``names`` by chains of contacts in either scene."""
     pairs, reached = _touching(before, gap) | _touching(now, gap), {*names}
     while more := {n for pair in pairs if reached & {*pair} for n in pair} - reached:
         reached |= more

@@ -151,7 +151,7 @@ def _table_mesh(place: Path, entry: Any, meshes: _Meshes) -> tuple[Mesh, Float[n
 
 
 def _table(mesh: Mesh, what: str) -> Table:
-    """Return the table, whose collision shape is a slab under its top without the rim."""
+    """Return the table; its collision shape is a slab under the tabletop that excludes the rim."""
     unit, _, extent = to_unit_box(mesh)
     model = Model(TABLE, TABLE, unit, extent)
     vertices = unit.vertices * extent

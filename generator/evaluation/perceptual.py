@@ -73,7 +73,7 @@ class MapSimilarity:
 
 
 def _load_filters() -> Callable[[Tensor], tuple[Tensor, ...]]:
-    """Return the embedded encoder, whose colours and edges reflect layout rather than meaning."""
+    """Return the embedded encoder, which encodes colours and edges: layout rather than meaning."""
     from ..backends.embedded.encoder import EmbeddedEncoder
 
     return EmbeddedEncoder().features

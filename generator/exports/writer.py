@@ -30,7 +30,7 @@ WRITERS: Mapping[str, Callable[[ExportWorld], Mapping[str, bytes]]] = MappingPro
 """Functions that make the files of each format, by path in the export's folder."""
 
 ALONE = ("glb", "usdz")
-"""Formats that are a single file."""
+"""Formats whose export is a single file."""
 
 _ADVICE = "Free disk space, or choose another folder."
 

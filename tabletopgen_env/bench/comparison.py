@@ -1,4 +1,4 @@
-"""Comparison of a suite's results with the first of them, episode by episode."""
+"""Comparison of each result of a suite with the first one, episode by episode."""
 
 from __future__ import annotations
 

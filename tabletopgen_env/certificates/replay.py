@@ -28,7 +28,7 @@ FigureKind = Literal["played after a failure", "given up early", "too many"]
 
 @dataclass(frozen=True)
 class CertificateDoubt:
-    """An impossible result of an instance; ``limit`` is the maximum number of episodes."""
+    """A claimed result that an instance cannot have; ``limit`` is the maximum number of episodes."""
 
     kind: FigureKind
     instance: TaskInstance

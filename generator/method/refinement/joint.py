@@ -1,4 +1,4 @@
-"""The refinement stage and its measure, the misfit of outlines."""
+"""The refinement stage and the quantity it minimizes, the mismatch of outlines."""
 
 from __future__ import annotations
 

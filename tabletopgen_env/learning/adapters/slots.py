@@ -68,7 +68,7 @@ class SlotVecEnv(VecEnv):
         return seen
 
     def seed(self, seed: int | None = None) -> Sequence[int | None]:
-        """For the next reset, derive one seed per slot from ``seed``."""
+        """Derive one seed per slot from ``seed`` for the next reset."""
         if seed is None:
             return super().seed()
         require_seed(seed)
