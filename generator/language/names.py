@@ -67,7 +67,7 @@ def _likely(
     looks: Sequence[Mapping[int, tuple[float, float]] | None],
     shift: float,
 ) -> Float[np.ndarray, "n k"]:
-    """Return each category's likelihood for sizes and shapes; ``shift`` is the table's log scale."""
+    """Return categories' likelihoods for sizes and shapes; ``shift`` is the table's log scale."""
     likely = np.full(names.shape, _UNLIKE)
     likely[:, -1] = _ANY
     for row, seen in zip(likely, looks, strict=True):

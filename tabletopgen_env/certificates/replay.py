@@ -28,7 +28,7 @@ FigureKind = Literal["played after a failure", "given up early", "too many"]
 
 @dataclass(frozen=True)
 class CertificateDoubt:
-    """A claimed result that an instance cannot have; ``limit`` is the maximum number of episodes."""
+    """A claimed result that an instance cannot have; ``limit`` is the maximum episode count."""
 
     kind: FigureKind
     instance: TaskInstance
