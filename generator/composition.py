@@ -1,4 +1,4 @@
-"""The direct route from a text to a plan, a layout and a scene, without a picture.
+"""The direct route from a text prompt to a plan, a layout and a scene, without a picture.
 
 This route is fast, and it places objects without overlap.
 """

@@ -41,7 +41,7 @@ def frozen_array(
     *,
     maximum: float | None = None,
 ) -> np.ndarray:
-    """Convert ``value`` to a read-only array of type ``dtype``; check its shape and finiteness.
+    """Convert ``value`` to a read-only ``dtype`` array; check its shape and that it is finite.
 
     A read-only array of this type that is not a view is returned as it is. ``None`` in
     ``shape`` accepts any length along that axis; ``maximum`` bounds the absolute values.

@@ -135,7 +135,7 @@ def why_not_graspable(obj: Object, hollow: Opening | None) -> str | None:
 
 
 def why_not_liftable(obj: Object) -> str | None:
-    """Return why no grasp could lift the object, or None if one might."""
+    """Return why no grasp could lift the object, or None if some grasp might."""
     if obj.mass > MAX_MASS:
         return f"the mass of {obj.mass:.3g} kg exceeds {MAX_MASS} kg"
     height = resting_height(obj)
@@ -201,7 +201,7 @@ def _scan(obj: Object, count: Int[np.ndarray, "2"]) -> _Scan:
 
 
 def _opening(scan: _Scan, rim: float, inner: Bool[np.ndarray, "nx ny"]) -> Opening | None:
-    """Return the opening over the cells ``inner`` below ``rim``, or None if it is too shallow."""
+    """Return the opening of the cells ``inner`` below ``rim``, or None if it is too shallow."""
     low, high, x, y, top = scan
     if not inner.any():
         return None
@@ -285,7 +285,7 @@ def scan_surface(
 def cells_under(
     parts: Iterable[ConvexPart], axes: Sequence[Float[np.ndarray, "_"]]
 ) -> Iterator[tuple[ConvexPart, tuple[slice, slice], Float[np.ndarray, "n 2"]]]:
-    """Yield each part that overlaps a grid, with the cells in its bounds and their positions."""
+    """Yield each part over a grid, with the cells in the part's bounds and the cells' positions."""
     for part in parts:
         low, high = part.bounds
         i, j = (
@@ -311,7 +311,7 @@ def top_surface(
 def part_span(
     part: ConvexPart, points: Float[np.ndarray, "n 2"]
 ) -> tuple[Int[np.ndarray, "m"], Float[np.ndarray, "m"], Float[np.ndarray, "m"]]:
-    """Return the indices of the points (x, y) over a part, and the part's lower and upper heights.
+    """Return the indices of points (x, y) over a part, and the part's lower and upper height there.
 
     The surfaces are the highest downward-facing and the lowest upward-facing plane of its hull.
     """

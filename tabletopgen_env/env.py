@@ -211,7 +211,7 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         return self._drawer(self._config.render.shape, "full").depth(self.world, FRONT_CAMERA)
 
     def picture(self, camera: CameraName) -> UInt8[np.ndarray, "h w 3"]:
-        """Return a camera's current picture for human viewers, in the size of ``render``."""
+        """Return a camera's current picture for human viewers, at the size used by ``render``."""
         require_known(camera, CAMERAS, "Unknown camera")
         return self._drawer(self._config.render.shape, "full").rgb(self.world, CAMERAS[camera])
 
@@ -438,7 +438,7 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
 
 
 class GoalTabletopEnv(TabletopEnv):
-    """An environment with dict observations; the reward depends only on their two goals.
+    """An environment with dict observations; the reward depends only on their two goal vectors.
 
     Hindsight replay (SB3's ``HerReplayBuffer``) calls ``compute_reward`` with relabelled goals.
     """

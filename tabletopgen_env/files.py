@@ -6,7 +6,7 @@ from typing import Any
 
 
 def check_type(value: Any, kind: type) -> Any:
-    """Return a value after checking that it has exactly this type.
+    """Check that a value is of exactly this type, and return the value.
 
     Raises:
         TypeError: the value has another type.

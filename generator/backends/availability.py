@@ -1,4 +1,4 @@
-"""Availability of backends, judged by their packages, settings and weights; nothing is sent."""
+"""Availability of backends, determined from packages, settings and weights without any requests."""
 
 from __future__ import annotations
 

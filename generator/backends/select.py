@@ -179,7 +179,7 @@ class Backends:
         return any(hasattr(getattr(self, role), "session") for role in PROTOCOLS)
 
     def for_text(self) -> Backends:
-        """Return these backends for pictures drawn from a text, possibly with a faster modeler."""
+        """Return a variant for pictures drawn from text prompts, possibly with a faster modeler."""
         quick = getattr(self.modeler, "for_text", None)
         return self if quick is None else dataclasses.replace(self, modeler=quick())
 

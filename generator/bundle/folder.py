@@ -104,7 +104,7 @@ def load(path: str | Path) -> Scene:
 
 @steady
 def load_segments(path: str | Path) -> Segments | None:
-    """Read the detections in the bundle's reference picture, or None if it stores none.
+    """Read the detections in a bundle's reference picture; return None if the bundle has none.
 
     Raises:
         BundleError: there is no bundle, or this part of it is damaged.

@@ -108,7 +108,7 @@ class Session(SessionState):
         )
 
     def resume(self, scene: str, keeper: Keeper = LOCAL) -> Spending | None:
-        """Load the spending of a scene's earlier runs, and record this run's calls with it.
+        """Load the spending of a scene's earlier runs, and add this run's calls to the record.
 
         Call this before any other call. Returns the record, which ``keeper`` accesses in the
         database next to the stored answers, or None if the session has no store.

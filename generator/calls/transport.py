@@ -148,7 +148,7 @@ class PaidTransport(httpx2.BaseTransport):
 
 
 def _response(answer: StoredAnswer, request: httpx2.Request, key: str) -> httpx2.Response:
-    """Return the response for a client; it is the same from the store as from the server.
+    """Return the client's response, which is identical from the store and from the server.
 
     Text is decoded as UTF-8, like JSON, regardless of the charset that a server declares.
     """

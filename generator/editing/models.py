@@ -93,7 +93,7 @@ def remodel(
     config: Config,
     seed: int,
 ) -> Model:
-    """Remake the model of an object in the scene in another style, at the same size.
+    """Remake the model of a scene's object in another style, at the same size.
 
     Objects of a composed scene keep their other attributes.
 

@@ -167,7 +167,7 @@ def _table(mesh: Mesh, what: str) -> Table:
 
 
 def _top(triangles: Float[np.ndarray, "m 3 3"], what: str) -> float:
-    """Return the height of the tabletop: the highest level with at least half the largest area."""
+    """Return the tabletop's height: the highest level with at least half the maximum level area."""
     normals = scaled_normals(triangles) / 2
     areas = np.linalg.norm(normals, axis=1)
     level = np.abs(normals[:, 2]) > _LEVEL * areas  # faces may be oriented in either direction

@@ -114,7 +114,7 @@ def _errors(ours: Object, true: Object, width: float) -> PoseError:
 
 @dataclass(frozen=True, eq=False)
 class UsualSize:
-    """An object's usual extent (metres), by its noun, and how its actual extent compares.
+    """An object's usual extent (metres), where it comes from, and how the actual extent compares.
 
     ``ratio`` is the ratio of the longest sides or the geometric mean over the axes, whichever is
     closer to 1, so that a closed laptop does not count as small.

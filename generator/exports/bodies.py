@@ -118,7 +118,7 @@ def scene_world(scene: Scene) -> ExportWorld:
 
 
 def object_world(thing: Object) -> ExportWorld:
-    """Return one object at its pose above a floor with the same friction."""
+    """Return one object at its pose above a floor that has the object's friction."""
 
     def mjcf() -> Document:
         return object_document(thing, visuals=True, floor=thing.friction)

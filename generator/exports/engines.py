@@ -65,7 +65,7 @@ def engine_friction(bodies: Sequence[ExportBody], table: float) -> Mapping[str, 
 
 
 def _harmonic(wanted: float, other: float) -> float:
-    """Return the x whose harmonic mean with ``other`` is ``wanted`` (which is < 2 ``other``)."""
+    """Return the x whose harmonic mean with ``other`` is ``wanted`` (``wanted`` < 2 ``other``)."""
     return wanted * other / (2 * other - wanted)
 
 

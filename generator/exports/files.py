@@ -1,4 +1,4 @@
-"""Files and number formatting for the XML exports: textures, and Wavefront OBJ meshes in metres.
+"""Files of the XML exports (textures, Wavefront OBJ meshes in metres), and number formatting.
 
 A body's visual mesh has the body's name; other files are named by the digest of their content. All
 are in one folder, since some readers reject files outside an OBJ's own. Files are used unscaled.

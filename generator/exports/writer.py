@@ -58,7 +58,7 @@ def export(scene: Scene, to: str, folder: str | Path, name: str | None = None) -
 
 
 def export_object(thing: Object, to: str, folder: str | Path) -> Path:
-    """Write one object above a floor, free to move and without a table; see also ``export``.
+    """Write one object, free to move, above a floor and without a table; see also ``export``.
 
     Raises:
         InputError: there is no such format, or its library is not installed.

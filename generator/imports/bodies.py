@@ -133,7 +133,7 @@ def _outcome(name: str, repairs: Sequence[str], reason: str) -> ImportOutcome:
 
 @dataclass(frozen=True)
 class _Side:
-    """The longest side of a body in the world, in metres, and the word for it: "tall" or "long"."""
+    """The length of a body's longest side, in metres, and the word for it: "tall" or "long"."""
 
     length: float
     word: str
@@ -242,7 +242,7 @@ def _as_it_is(surface: ColoredSurface, body: ForeignBody) -> Mesh:
 
 
 def _solid(model: Model, extent: Float[np.ndarray, "3"], budget: CutBudget) -> tuple[Model, str]:
-    """Return the model, with its hull as a part if decomposition fails, and the reason, if any."""
+    """Return the model, with its hull as a part if decomposition fails, and the reason or ""."""
     if model.parts:
         return model, ""
     try:

@@ -106,7 +106,7 @@ def on_plain_table(foreign: ForeignScene) -> ForeignScene:
 
 
 def _name_of(entry: object, number: int) -> str:
-    """Return the name, for use in messages, of the object that a ``poses.json`` entry describes."""
+    """Return the name that messages use for the object of a ``poses.json`` entry."""
     name = cast("dict[str, Any]", entry).get("name") if isinstance(entry, dict) else None
     return name[:100] if isinstance(name, str) and name else f"thing_{number + 1}"
 

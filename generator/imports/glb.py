@@ -130,7 +130,7 @@ class _Place:
 
 
 def _places(header: Header, scene: int, what: str) -> Sequence[_Place]:
-    """Return a scene's mesh nodes; bodies are the nodes so marked or, if none is, top mesh nodes.
+    """Return a scene's mesh nodes; bodies are marked nodes or, if none is marked, top mesh nodes.
 
     Raises:
         InputError: the nodes do not form a tree, or one of them is invalid.

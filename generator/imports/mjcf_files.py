@@ -151,7 +151,7 @@ class _Reader:
         return self._names[path]
 
     def _find(self, given: str, *places: PurePosixPath) -> PurePosixPath:
-        """Return a referenced file's path in the first folder that contains it, or in the last one.
+        """Return a referenced file's path in the first folder that has it, or else the last one.
 
         For an include, the folders are the model's and the referring file's, in MuJoCo's order.
         """

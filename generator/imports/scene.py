@@ -76,7 +76,7 @@ def build_scene(
 
 
 class _Shapes:
-    """Counts a scene's convex parts as a bundle does: for each body and each distinct model."""
+    """Counts a scene's convex parts as a bundle does: once per body and once per distinct model."""
 
     def __init__(self) -> None:
         self._parts = self._points = 0
@@ -146,7 +146,7 @@ def _record(provenance: Provenance, outcomes: Sequence[ImportOutcome]) -> Proven
 def _settle(
     scene: Scene, config: AssemblyConfig | None, leave_out: bool
 ) -> tuple[Scene, list[ImportOutcome]]:
-    """Return the settled scene with its report, and the objects left out to pass the gate."""
+    """Settle a scene; return it with its report, and the objects omitted to pass the gate."""
     done = reassemble(scene, scene, (), config)
     dropped: list[ImportOutcome] = []
     while leave_out and len(dropped) < _ROUNDS and (worst := _find_failing(done)):
@@ -194,7 +194,7 @@ def _free_names(names: Sequence[str]) -> list[str]:
 
 
 def _mark_inside(scene: Scene) -> Scene:
-    """Return the scene, with each object below the rim of its container marked as inside it."""
+    """Return the scene; objects below the rim of their container are marked as inside it."""
     things = {o.name: o for o in scene.objects}
     marked = []
     for thing in scene.objects:

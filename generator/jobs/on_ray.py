@@ -35,7 +35,7 @@ _ALIKE = ("tabletopgen", "mujoco", "numpy")
 
 
 class RayPool(TaskPool):
-    """Runs up to ``width`` tasks at a time, on one CPU each, spread over a Ray cluster's machines.
+    """Runs up to ``width`` tasks at a time on the machines of a Ray cluster, each on one CPU.
 
     ``address`` is an address for ``ray.init``; "local" starts Ray on this machine with ``width``
     CPUs. If this process is already connected to a cluster, that connection is used and stays open.

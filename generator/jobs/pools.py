@@ -24,7 +24,7 @@ class PoolOptions:
 
 
 def pool_of(width: int, ray: str | None = None) -> TaskPool:
-    """Return a pool of ``width`` processes, either local or, if given an address, on a Ray cluster.
+    """Return a pool of ``width`` processes: local, or on a Ray cluster if ``ray`` is given.
 
     Raises:
         BackendError: Ray is not installed, or no cluster runs at the address.

@@ -43,7 +43,7 @@ PLACE = ".batch"
 
 
 def key_of(job: Job, make: Maker) -> str:
-    """Return the name of a job's record; it depends on the content of a picture if readable."""
+    """Return the name of a job's record; it depends on a picture's content if that can be read."""
     from ..method.reference import fetch, is_picture_name
 
     picture = None

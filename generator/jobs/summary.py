@@ -1,4 +1,4 @@
-"""The summary of a batch: scenes made, failures by kind, and gate statistics."""
+"""The summary of a batch: numbers of scenes, failures by kind, and gate statistics."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ class Summary:
         return tuple(o for o in self.outcomes if o.state == "unpaid")
 
     def counts(self) -> dict[str, int]:
-        """Return the numbers of scenes made, already done, failed, and beyond the budget."""
+        """Return how many jobs made a scene, already had one, failed or exceeded the budget."""
         states = Counter(o.state for o in self.outcomes)
         return {state: states[state] for state in ("made", "there", "failed", "unpaid")}
 

@@ -47,7 +47,7 @@ def main() -> None:
 
 
 def answer_task(packed: bytes) -> bytes:
-    """Run a pickled task; return a pickled pair of its success and its result or exception."""
+    """Run a pickled task; return a pickled pair: whether it succeeded, and its result or error."""
     try:
         function, args = pickle.loads(packed)
         return cloudpickle.dumps((True, function(*args)))

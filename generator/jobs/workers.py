@@ -143,7 +143,7 @@ class _State:
 
 @dataclass(eq=False)
 class _Worker:
-    """Runs one process at a time: ``busy`` during a task, and ``proven`` once it has run a task."""
+    """Runs one process at a time; ``busy`` during a task, and ``proven`` once it has run a task."""
 
     state: _State
     number: int

@@ -21,7 +21,7 @@ PLAIN = "plain"
 
 @dataclass(frozen=True)
 class SceneDistribution:
-    """A distribution of tables; each property is drawn uniformly and independently of the others.
+    """A distribution over tables; each property is drawn uniformly and independently of the others.
 
     A value listed twice is drawn twice as often. The distribution itself has no random state:
     ``plan`` draws from the generator that it is given; equal generators give the same plan.

@@ -1,4 +1,4 @@
-"""From words to catalogue categories by exact names, then reviewed synonyms; no fuzzy matching."""
+"""Lookup of catalogue categories by exact name, then by reviewed synonym; no fuzzy matching."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ PLURAL_ONLY = frozenset(
 
 
 def tokens(text: str) -> list[str]:
-    """Split a text into lower-case words, numbers and punctuation, without accents and "'s".
+    """Split a text into lower-case words, numbers and punctuation, dropping accents and "'s".
 
     A range of numbers ("2-3") becomes its upper bound.
     """

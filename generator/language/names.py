@@ -1,4 +1,4 @@
-"""Names of detected objects, from their sizes and the detector's guesses or the text's words."""
+"""Naming of detected objects by their sizes and the detector's guesses or the text's words."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ _RARE = 1e-4  # minimum probability of any category
 
 
 def find_kind(word: str) -> Category | None:
-    """Return the category of a term or its head noun ("mug" in "mug of tea" and "tin mug")."""
+    """Return the category of a term or of its head noun ("mug" in "mug of tea" and "tin mug")."""
     parts = (word, word.split(" of ")[0], word.split(" ")[-1])
     return next((found for part in parts if (found := find_category(part))), None)
 
@@ -67,7 +67,7 @@ def _likely(
     looks: Sequence[Mapping[int, tuple[float, float]] | None],
     shift: float,
 ) -> Float[np.ndarray, "n k"]:
-    """Return categories' likelihoods for sizes and shapes; ``shift`` is the table's log scale."""
+    """Return each category's likelihood given sizes, shapes and the table's log scale ``shift``."""
     likely = np.full(names.shape, _UNLIKE)
     likely[:, -1] = _ANY
     for row, seen in zip(likely, looks, strict=True):

@@ -153,7 +153,7 @@ def check_text(prompt: str) -> None:
 
 
 def _has_english(prompt: str) -> bool:
-    """Return whether any word, perhaps misspelt, is known to the planner or in a dictionary."""
+    """Return whether any word, even misspelt, is known to the planner or found in a dictionary."""
     known = _known_words()
     words = [w for w in lexicon.tokens(prompt) if w.isalpha()]
     if any(word in known or lexicon.singular(word) in known for word in words):

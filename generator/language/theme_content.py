@@ -152,7 +152,7 @@ def furnish(
     outline: OutlineKind | None = None,
     needs: Sequence[Sequence[str]] = (),
 ) -> tuple[PlannedTable, list[PlannedObject]]:
-    """Draw a table of a theme, and ``count`` objects for it, without a text.
+    """Choose a table of a theme and ``count`` objects for it at random, without a text.
 
     The objects are those in the core of the theme, then others that the theme lists or that the
     catalogue assigns to it. There are fewer if the theme is exhausted. If ``outline`` is None, a

@@ -16,7 +16,7 @@ from ..scene import OutlineKind
 
 @dataclass(frozen=True)
 class Theme:
-    """One kind of table: its names, its usual tables (sizes in metres), and its objects."""
+    """A kind of table: its names, usual outlines, materials and size (metres), and its objects."""
 
     words: tuple[str, ...]
     outlines: tuple[OutlineKind, ...]

@@ -279,7 +279,7 @@ def is_lit(category: str, vessel: str) -> bool:
 
 
 def open_category(category: str, noun: str = "", contents: str = "") -> str:
-    """Return the category of an object called ``noun`` if it holds the category ``contents``."""
+    """Return a category's open form, given the object's ``noun`` and the category ``contents``."""
     known = CATEGORIES.get(category)
     usual = known.opened if known is not None and known.opened else category
     return _MEANT.get((noun, contents), usual)

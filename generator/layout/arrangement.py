@@ -232,7 +232,7 @@ def _find_awaited(
 
 
 def _rank(planned: PlannedObject, model: Model) -> float:
-    """Return the sort key for placing objects on or in others: in vessels, the longest first."""
+    """Return the sort key of an object on or in another; the longest in a vessel comes first."""
     inside = any(r.kind == "in" for r in planned.relations)
     return -float(model.size.max()) if inside else 0.0
 

@@ -172,7 +172,7 @@ def _turn(axis: Float[np.ndarray, "3"]) -> Rotation:
 
 
 def _ring(number: int, count: int, stem: Stem, cavity: Cavity) -> _Ring:
-    """Return an object's target position by its index; if there are many, some form an inner ring.
+    """Return an object's target position by its index; many objects also form an inner ring.
 
     All objects are twisted just enough to pass each other where they are closest to the axis.
     """

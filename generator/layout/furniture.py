@@ -81,7 +81,7 @@ def _put_in(
     models: Mapping[str, Model],
     rebuild: Callable[[PlannedObject], Model],
 ) -> dict[str, Model]:
-    """Return the models of objects put in a vessel or a rack, and the holder's model, by name."""
+    """Return, by name, the models of a vessel or rack and of the objects that are put in it."""
     names = [planned.name for planned in held]
     if "places" not in target.attributes:
         return _put_in_vessel(target, held, models)

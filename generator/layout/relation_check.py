@@ -48,7 +48,7 @@ _RIM = 0.04  # maximum height above the rim of a contained object's centre, metr
 
 @dataclass(frozen=True, eq=False)
 class _Thing:
-    """An object at rest, in metres: its outline from above, its base position and height range."""
+    """An object at rest, in metres: its outline seen from above, base position and height range."""
 
     center: Float[np.ndarray, "3"]
     outline: Float[np.ndarray, "k 2"]

@@ -1,4 +1,4 @@
-"""Resting places on the table, on other objects and in them."""
+"""Positions where objects rest: on the table, or on or in other objects."""
 
 from __future__ import annotations
 

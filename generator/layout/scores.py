@@ -37,7 +37,7 @@ class Neighbour:
 
 @dataclass(frozen=True, eq=False)
 class Awaited:
-    """An object to be placed beside the current one, given by a relation's kind and a footprint.
+    """An object to be placed beside the current one, described by its relation and its footprint.
 
     ``beside`` is the footprint of the object it refers to, and ``offset`` is the position of the
     latter relative to the current object's centre.
@@ -224,7 +224,7 @@ def edge_gaps(
 def _hiding(
     shape: Footprint, centers: Float[np.ndarray, "m 2"], others: Sequence[Neighbour]
 ) -> Float[np.ndarray, "m"]:
-    """Return the fraction hidden from a viewer in front and above, summed over pairs of objects."""
+    """Return the fraction hidden from a viewer at the front and above, summed over object pairs."""
     total = np.zeros(len(centers))
     for other in others:
         offset = centers - other.center

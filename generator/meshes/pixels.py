@@ -1,4 +1,4 @@
-"""Operations on masks: nearest inside pixel, hull, pieces, holes, distance, overlap and frame."""
+"""Operations on masks: nearest pixel inside, hull, pieces, holes, distance, overlap and frame."""
 
 from __future__ import annotations
 

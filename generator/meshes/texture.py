@@ -132,7 +132,7 @@ def _chunks(atlas: Atlas) -> Iterator[slice]:
 
 
 def _spread(surface: ColoredSurface) -> tuple[Int[np.ndarray, "s"], Float[np.ndarray, "s 3"]]:
-    """Return points spread by area, with one or more per face if faces are few, and their faces."""
+    """Return points spread by area, and their faces; if faces are few, each has a point."""
     faces = surface.faces
     area = areas(surface.vertices, faces)
     if len(faces) <= _MOST_SAMPLES:

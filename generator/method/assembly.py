@@ -299,7 +299,7 @@ def _find_toppled(simulation: Simulation, poses: Sequence[Pose], limit: float) -
 
 
 def _again(scene: Scene, config: AssemblyConfig, loose: Collection[str] | None) -> Scene:
-    """Settle loose objects again, shaking them beyond the gate's tilt unless that topples more."""
+    """Settle loose objects again, shaken beyond the gate's tilt unless the shaking topples more."""
     moving, fixed = _split(scene, loose)
     if not moving.objects:
         return scene

@@ -31,7 +31,7 @@ class Candidate:
 
 @dataclass(frozen=True, eq=False)
 class Attempts:
-    """The scene that passed its gate with the most relations met, or None, and failed scenes."""
+    """The scene that passed its gate and meets the most relations, or None, and the failed ones."""
 
     best: Scene | None
     failed: tuple[Scene, ...]

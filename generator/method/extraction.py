@@ -99,7 +99,7 @@ def _count_in_sight(plan: ScenePlan) -> int:
 def _find(
     reference: Reference, reasoner: Reasoner, segmenter: Segmenter
 ) -> tuple[list[Detection], list[Detection]]:
-    """Return the cleaned detections of tables and objects by a segmenter."""
+    """Return a segmenter's cleaned detections of tables and objects."""
     labels = tuple(reasoner.list_objects(reference))
     if TABLE not in labels:
         labels = (TABLE, *labels)
@@ -112,7 +112,7 @@ def _find(
 def _complete(
     reference: Reference, found: tuple[Detection, ...], imager: Imager, complete_each: Each
 ) -> tuple[Instance, ...]:
-    """Return the detections, the table first, each cropped, completed and uniquely named."""
+    """Return the detections cropped, completed and uniquely named, with the table first."""
 
     def complete(detection: Detection) -> Instance:
         others = tuple(d for d in found if d is not detection)

@@ -49,7 +49,7 @@ for _constant in (LOWEST_POINT, HIGHEST_POINT, JOINT_SPEED):
 def _clip(
     values: Float[np.ndarray, "n"], low: Float[np.ndarray, "n"], high: Float[np.ndarray, "n"]
 ) -> Float[np.ndarray, "n"]:
-    """Return the result of ``np.clip(values, low, high)``, computed in half the time."""
+    """Compute ``np.clip(values, low, high)`` in half the time."""
     return np.minimum(np.maximum(values, low), high)
 
 

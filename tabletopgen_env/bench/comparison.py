@@ -1,4 +1,4 @@
-"""Comparison of each result of a suite with the first one, episode by episode."""
+"""Episode-by-episode comparison of each result of a suite with the first one."""
 
 from __future__ import annotations
 
@@ -55,7 +55,7 @@ def difference(result: BenchResult, baseline: BenchResult) -> PairedDifference:
 
 
 def compare(results: Sequence[BenchResult]) -> list[tuple[str, ...]]:
-    """Return a comparison table's rows, including its header; the first result is the baseline.
+    """Return the rows of a comparison table, with its header; the first result is the baseline.
 
     Raises:
         InputError: there are no results, or they belong to different suites.

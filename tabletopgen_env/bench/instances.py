@@ -121,7 +121,7 @@ class TaskSuites:
         return SplitRule("train" if split == "train" else "held_out", share=self.share)
 
     def level(self, difficulty: float) -> str:
-        """Return the name of the level that contains a difficulty, or else of the last level."""
+        """Return the name of the level that contains a difficulty, or the last level's name."""
         held = (level.name for level in self.levels if level.holds(difficulty))
         return next(held, self.levels[-1].name)
 
@@ -151,7 +151,7 @@ class Suite:
 
     @property
     def settings(self) -> Mapping[str, Any]:
-        """The keyword arguments of the environment that are set by the suite, not by the policy."""
+        """The environment's keyword arguments that are set by the suite, not by the policy."""
         return MappingProxyType(
             {
                 "control_hz": self.of.control_hz,

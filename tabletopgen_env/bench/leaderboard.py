@@ -150,7 +150,7 @@ def _steps(result: BenchResult) -> str:
 
 
 def _replay_count(results: Iterable[BenchResult]) -> str:
-    """Return the number of replayed episodes, such as "6 of 147"."""
+    """Format the number of replayed episodes, such as "6 of 147"."""
     own = list(results)
     count = sum(result.replayed for result in own)
     return f"{count} of {sum(len(result.episodes) for result in own)}" if count else "–"

@@ -1,4 +1,4 @@
-"""Players: random or zero actions, the scripted expert, policy files, and policies from functions.
+"""Players of episodes: built-in players, policy files, and functions that return policies.
 
 A policy's own settings determine its observations and actions; the suite determines the rest.
 """
@@ -152,7 +152,7 @@ class PolicyPlayer:
     policy: Any
 
     def begin(self, env: Any, seed: int) -> Act:
-        """Return the policy as an actor; raise InputError if its spaces do not fit ``env``."""
+        """Return the policy as an actor; raise InputError if ``env`` does not fit the policy."""
         self._check(env)
         if (reset := getattr(self.policy, "reset", None)) is not None:
             reset()
@@ -202,7 +202,7 @@ def _call(module: str, function: str) -> Any:
 
 
 def _digest_of(module: str, own: object, name: str) -> str:
-    """Return the sha256 of a module file's content, a NUL byte and the policy's own digest.
+    """Return the sha256 of a module file's content and the policy's digest, joined by a NUL byte.
 
     The result is empty if there is neither.
     """
@@ -268,7 +268,7 @@ def _plain(key: str, value: Any) -> Any:
 
 
 def _inputs(space: Any) -> dict[str, tuple[int, ...]]:
-    """Return the shapes of an observation's parts by name, with the name "" if it has no parts."""
+    """Return the shape of each part of an observation by name, or under "" if it is not a dict."""
     if isinstance(space, gym.spaces.Dict):
         return {name: tuple(part.shape or ()) for name, part in space.spaces.items()}
     return {"": tuple(space.shape)}

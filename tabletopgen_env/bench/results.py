@@ -94,7 +94,7 @@ class BenchResult:
 
     @property
     def interval(self) -> tuple[float, float]:
-        """The 95 % Wilson interval of the fraction of solved episodes, treated as independent."""
+        """The 95 % Wilson interval of the success rate, assuming that episodes are independent."""
         return wilson(self.solved, len(self.episodes))
 
     def of_level(self, level: str) -> tuple[int, int]:
@@ -112,7 +112,7 @@ def row_of(episode: SuiteEpisode, outcome: SuiteOutcome) -> EpisodeRow:
 
 
 def head_of(suite: Suite, player: PlayerFacts, versions: Mapping[str, str]) -> dict[str, Any]:
-    """Return the header of a result file: all entries before its episodes, as JSON values."""
+    """Return the header of a result file: all entries before the episodes, as JSON values."""
     head = {
         "schema": SCHEMA,
         "suite": suite.name,

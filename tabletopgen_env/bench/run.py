@@ -183,7 +183,7 @@ def _writing(path: Path) -> Iterator[Path]:
 def _resume(
     journal: Path, head: dict[str, Any], episodes: tuple[SuiteEpisode, ...]
 ) -> list[EpisodeRow]:
-    """Return a journal's complete episodes and cut off the rest; create the journal if missing.
+    """Return a journal's complete episodes and cut off the rest; create the journal if needed.
 
     Raises:
         InputError: the journal belongs to another run, or is damaged.

@@ -95,7 +95,7 @@ def read_suites(path: str | Path) -> TaskSuites:
 
 
 def read_payload(path: str | Path, what: str, newest: int) -> dict[str, Any]:
-    """Return the JSON object in a file whose schema version is at most ``newest``.
+    """Return the JSON object in a file; its schema version must be at most ``newest``.
 
     Raises:
         InputError: the file is missing, too large, damaged, or of a newer schema.
@@ -159,7 +159,7 @@ def _part(text: str) -> tuple[str, bool]:
 
 
 def _table_facts(table: SuiteTable) -> dict[str, Any]:
-    """Return a table as JSON values; None entries of instances are omitted."""
+    """Return a table as JSON values, omitting instance entries with the value None."""
     instances = [
         {k: v for k, v in dataclasses.asdict(i).items() if k != "task" and v is not None}
         for i in table.instances

@@ -1,4 +1,4 @@
-"""The tables of suites on disk: found by name and digest, or regenerated bit for bit."""
+"""The tables of suites on disk: found by name and digest, or regenerated bit-identically."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Training tables, drawn from a suite's distribution but never in a validation or test suite.
+"""Training tables: drawn from a suite's distribution, but never in a validation or test suite.
 
 They are given by a range of seeds, without the tables that the split holds out; listed tables are
 all held out. In training, ``scenes="fresh"`` draws from the same part of the split.

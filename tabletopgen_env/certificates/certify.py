@@ -1,4 +1,4 @@
-"""Certification of bundles: the tasks that the scripted expert solves on a table.
+"""Certification of bundles: which tasks the scripted expert solves on a bundle's table.
 
 For each *instance* (a task, its preset, target and goal) of a bundle's scene, up to a maximum, the
 expert plays one episode from the scene's own state, as environments do by default, and the others

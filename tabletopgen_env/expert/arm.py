@@ -60,7 +60,7 @@ ROLL_RANGE = float(UPPER[6]) - 0.1
 
 
 def stretch(world: World, points: Iterable[Float[np.ndarray, "3"]], yaw: float) -> float | None:
-    """Return the largest joint motion from home to ``points``, or None if any is out of reach.
+    """Return the largest joint motion from home to ``points``, or None if a point is out of reach.
 
     Points are positions of the tool centre point, world frame; ``yaw`` is the hand's, base frame,
     radians.
@@ -172,7 +172,7 @@ def wrists_are_free(
     points: Float[np.ndarray, "k 2"],
     tips: Float[np.ndarray, "k"],
 ) -> Bool[np.ndarray, "k"]:
-    """Return, for each tool position, whether the wrist clears all obstacles.
+    """Return a mask of the tool positions at which the wrist clears all obstacles.
 
     The wrist is above the hand, towards the base. ``points`` (world) are the tools' positions,
     ``tips`` the heights of the fingertips.

@@ -327,7 +327,7 @@ class Picker(Expert):
         return (self._tool - self._object) @ self._env.world.rotation(self._target)
 
     def _stalls(self, over: Float[np.ndarray, "3"]) -> bool:
-        """Return whether the hand, on its way to ``over``, no longer nears the release position."""
+        """Return whether a hand moving to ``over`` no longer approaches the release position."""
         left = float(np.linalg.norm((self._drop.tool - self._tool)[:2]))
         if left < self._left - _ON:
             self._left, self._still = left, 0

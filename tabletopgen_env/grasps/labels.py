@@ -143,7 +143,7 @@ class GraspFile:
 
 
 def read_grasps(path: str | Path) -> Mapping[str, GraspLabels]:
-    """Return the grasp labels of a bundle by object name; the dict is empty if it has none.
+    """Return a bundle's grasp labels by object name, or an empty dict if the bundle has no labels.
 
     Raises:
         BundleError: the bundle does not exist, or its labels are damaged, too large, or belong to

@@ -30,7 +30,7 @@ _POINTS = 200
 
 @dataclass(frozen=True, eq=False)
 class Band:
-    """The mean, minimum and maximum success rate of a recipe's runs over their common range."""
+    """The mean, minimum and maximum success rates of a recipe's runs where all runs have data."""
 
     runs: int
     at: Float[np.ndarray, "n"]

@@ -374,7 +374,7 @@ def _check_printable(value: Any) -> None:
 
 
 def _detector(env: Mapping[str, Any]) -> dict[str, str]:
-    """Return the digest of the grasp detector in a dict, which is empty if it is not used."""
+    """Return a dict with the grasp detector's digest, or an empty dict if no detector is used."""
     if env.get("grasp_hint") != "detected":
         return {}
     from ..detection.detector import shipped_digest

@@ -96,7 +96,7 @@ def worlds_kept(source: SceneSource) -> int:
 
 
 def count_shared(source: SceneSource, other: SceneSource) -> int:
-    """Count, by digest, the available tables that two sources share, without drawing new ones.
+    """Count the available tables that have the same digest in both sources; draw no new ones.
 
     The initial tables of a refreshing pool are counted, too.
 
@@ -137,7 +137,7 @@ def many_envs(recipe: Recipe, source: SceneSource, seed: int) -> VecEnv:
 
 
 def new_model(recipe: Recipe, env: Any, seed: int) -> BaseAlgorithm:
-    """Create an untrained model on the CPU for one environment or for ``many_envs``.
+    """Create an untrained model on the CPU for one environment or for those of ``many_envs``.
 
     ``seed`` determines its weights and exploration.
 

@@ -75,7 +75,7 @@ class FlatState:
         return entries[first : first + size * count].reshape(count, size)
 
     def _read_robot(self, entries: Float[np.ndarray, "n"], noise: Noise | None) -> None:
-        """Write the entries of the robot, which are 0 to 33."""
+        """Write the robot's entries (0 to 33)."""
         world, name = self._world, self._goal.target
         write_robot(entries, world, noise)
         left, right, _ = (False,) * 3 if name is None else world.touches(name)

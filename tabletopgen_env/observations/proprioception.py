@@ -44,7 +44,7 @@ def feel(world: World, noise: Noise | None = None) -> Float[np.ndarray, "33"]:
 
 
 def write_robot(entries: Float[np.ndarray, "n"], world: World, noise: Noise | None) -> None:
-    """Write the robot's part of a state, entries 0 to 31, without clipping."""
+    """Write the robot's part of a state (entries 0 to 31), without clipping."""
     state = world.state
     joints, tool, hand = state.joints, world.to_base(state.tool), world.hand
     if noise is not None:

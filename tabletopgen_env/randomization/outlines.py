@@ -34,7 +34,7 @@ def carry(outline: Outline, centre: Point, moves: Moves) -> Outlines:
 def keeps(
     own: Outlines, other: Outline, was: Outline, others: Outline, room: float
 ) -> Bool[np.ndarray, "c"]:
-    """Return which outlines keep a gap of ``room``, or the original gap if smaller, to ``other``.
+    """Return which outlines keep a gap of ``room`` to ``other``, or the original gap if smaller.
 
     ``was`` and ``others`` are the original outlines of the moved object and of ``other``; their
     distance is sufficient if it is smaller than ``room``.
@@ -54,7 +54,7 @@ def near(own: Outlines, other: Outline, room: float) -> bool:
 
 
 def apart(own: Outlines, other: Float[np.ndarray, "m 2"]) -> Float[np.ndarray, "c"]:
-    """Return the distance from each convex outline to an outline or a point, negative on overlap.
+    """Return each convex outline's distance to an outline or a point, negative if they overlap.
 
     The result is the largest separation along an edge normal, a lower bound of the distance.
     """

@@ -59,7 +59,7 @@ class Randomizer:
 
     @property
     def drawn(self) -> dict[str, Any]:
-        """The draws of this episode by switch, as plain numbers, lists and dicts."""
+        """The values drawn in this episode, keyed by switch, as plain numbers, lists and dicts."""
         return self._drawn
 
     @property

@@ -146,7 +146,7 @@ class Randomization:
 
 
 def _number(value: Any, *kinds: type) -> bool:
-    """Return whether a value is finite and of one of the given types."""
+    """Return whether a value is a finite number of one of the given types."""
     return isinstance(value, kinds) and not isinstance(value, bool) and bool(abs(value) < np.inf)
 
 

@@ -93,7 +93,7 @@ def start_off(
 
 @dataclass(frozen=True, eq=False)
 class _Zone:
-    """An area that only the bundles ``of`` may cover; it moves with the bundle ``carrier``."""
+    """An area that only the bundles in ``of`` may cover; it moves with the bundle ``carrier``."""
 
     outline: Outline
     of: tuple[str, ...]
@@ -207,7 +207,7 @@ class _Tabletop:
 
 
 def _tops(world: World, root: Mapping[str, str]) -> dict[str, float]:
-    """Return the height of each bundle above the table in metres, keyed by its first object."""
+    """Return the height of each bundle's top above the table in metres, keyed by first object."""
     tops: dict[str, float] = {}
     for name, first in root.items():
         half = world.scene.object(name).scale / 2

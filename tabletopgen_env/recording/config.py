@@ -137,7 +137,7 @@ class RecordConfig:
         return settings
 
     def environment(self) -> gym.Env[Any, Any]:
-        """Create the environment for the recording; its spec recreates an equal one.
+        """Create the environment for the recording; its spec can recreate an equal environment.
 
         Raises:
             InputError: a setting is invalid.

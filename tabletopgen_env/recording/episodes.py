@@ -54,7 +54,7 @@ class RecordedEpisode:
 
     @property
     def pictures(self) -> dict[str, Shaped[np.ndarray, "t1 h w *c"]]:
-        """The pictures by their observation keys."""
+        """The pictures, keyed by observation key."""
         seen = self.observations if isinstance(self.observations, dict) else {}
         return {n: rows for n, rows in seen.items() if not isinstance(rows, list) and rows.ndim > 2}
 
@@ -65,7 +65,7 @@ class RecordedEpisode:
 
     @property
     def arrays(self) -> dict[str, Any]:
-        """All arrays with a row per step, by name."""
+        """All arrays that have one row per step, keyed by name."""
         steps = len(self.rewards)
         return {
             "observations": self.observations,
@@ -77,7 +77,7 @@ class RecordedEpisode:
         }
 
     def summaries(self) -> dict[str, RowSummary]:
-        """Return summaries of actions, rewards, proprioception and observations by name.
+        """Return summaries of actions, rewards, proprioception and observations, keyed by name.
 
         Colours are in [0, 1], depth is in metres, and labels have no summary.
         """
@@ -101,7 +101,7 @@ def play_episodes(
     ray: str | None = None,
     first: int = 0,
 ) -> Generator[RecordedEpisode | SceneError, None, None]:
-    """Yield recorded episodes indefinitely; a discarded episode yields an error with the reason.
+    """Yield recorded episodes indefinitely; for each discarded one, yield an error with the reason.
 
     The first episode has the number ``first``. The episodes do not depend on the number of
     ``workers``, or on whether these run on the Ray cluster at the address ``ray``; a single local
@@ -136,7 +136,7 @@ def _environment(config: RecordConfig) -> gym.Env[Any, Any]:
 def _chunk(
     config: RecordConfig, make: bytes, first: int, few: int
 ) -> list[RecordedEpisode | SceneError]:
-    """Play ``few`` episodes from number ``first`` in the environment from the pickled ``make``."""
+    """Create the environment with pickled ``make``; play ``few`` episodes from number ``first``."""
     env = call_once(make)
     return [_attempt(config, env, first + k) for k in range(few)]
 
@@ -210,7 +210,7 @@ def _proprio(seen: Any, felt: Float[np.ndarray, "t1 p"]) -> Float[np.ndarray, "t
 
 
 def _plain(observations: Any) -> Any:
-    """Return observations with arrays of strings as lists."""
+    """Return observations with arrays of strings converted to lists."""
     if not isinstance(observations, dict):
         return observations
     return {

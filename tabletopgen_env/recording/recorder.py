@@ -89,7 +89,7 @@ def write_dataset(
     resume: bool = False,
     lerobot: LeRobotConfig = _LEROBOT,
 ) -> Path:
-    """Write a dataset, as ``record`` does, of episodes that were played elsewhere.
+    """Write a dataset like ``record``, but from episodes that were played elsewhere.
 
     ``episodes`` returns the episodes, all of which are kept, regardless of ``config.episodes``. It
     is called with the number of the first one, 0 unless an interrupted recording is resumed.

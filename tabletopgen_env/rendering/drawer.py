@@ -40,7 +40,7 @@ if TYPE_CHECKING:
 
 @dataclass
 class _GlUse:
-    """The use of GL by this process."""
+    """The process that first used OpenGL, and a lock held while OpenGL is initialised."""
 
     # GL bindings initialise themselves on first use; allow one thread at a time.
     lock: threading.Lock = field(default_factory=threading.Lock)

@@ -75,7 +75,7 @@ def unproject(camera: Camera, depth: Float[np.ndarray, "h w"]) -> Float[np.ndarr
 def _fit(
     points: Float[np.ndarray, "m 3"], ids: Shaped[np.ndarray, "m"], count: int
 ) -> dict[str, Shaped[np.ndarray, "n *_c"]]:
-    """Return ``count`` of the points, evenly spaced in their order, or all points with padding."""
+    """Return ``count`` of the points, taken at even intervals, or all of them with padding."""
     kept = np.arange(len(points))
     if len(points) > count:
         kept = np.arange(count) * len(points) // count

@@ -92,7 +92,7 @@ def _paint(model: mujoco.MjModel, shape: VisibleGeom) -> VisibleGeom:
 
 
 def _light(model: mujoco.MjModel) -> Light:
-    """Return a model's light: the first sun, and sky light from ambient light and headlight."""
+    """Return a model's light: its first sun, and sky light from the ambient light and headlight."""
     from generator.render.shading import Light
 
     head, sun = model.vis.headlight, model.light_diffuse[0]
@@ -162,7 +162,7 @@ def _cylinder(radius: float, half: float) -> tuple[np.ndarray, np.ndarray]:
 
 @lru_cache(_KEPT)
 def _ellipsoid(*radii: float) -> tuple[np.ndarray, np.ndarray]:
-    """Return an ellipsoid, cached because the goal marker in every picture may be a ball."""
+    """Return an ellipsoid, cached because every picture may show a spherical goal marker."""
     k = np.arange(200) + 0.5
     polar, turn = np.arccos(1 - k / 100), np.pi * (1 + 5**0.5) * k
     ball = [np.cos(turn) * np.sin(polar), np.sin(turn) * np.sin(polar), np.cos(polar)]
@@ -199,7 +199,7 @@ def _color(model: mujoco.MjModel, k: int) -> Float[np.ndarray, "4"]:
 
 
 def _texture(model: mujoco.MjModel, k: int) -> UInt8[np.ndarray, "th tw 3"]:
-    """Return geom ``k``'s 2D texture multiplied by its colour, or one pixel without a texture."""
+    """Return geom ``k``'s 2D texture times its colour, or a pixel of that colour if it has none."""
     import mujoco
 
     tint, material = _color(model, k)[:3], model.geom_matid[k]

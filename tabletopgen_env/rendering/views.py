@@ -71,7 +71,7 @@ _FARTHEST = 10.0  # bound of a calibration's entries: metres or picture heights
 
 
 def picture_spaces(config: ObservationConfig) -> dict[str, spaces.Space[Any]]:
-    """Return the space of each picture by its key."""
+    """Return the space of each picture, keyed by observation key."""
     made: dict[str, spaces.Space[Any]] = {}
     for camera, size in config.sizes.items():
         for kind in config.kinds:

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 class Window:
-    """A viewer that follows an environment across worlds, with a frame every ``frame`` seconds.
+    """A viewer that follows an environment from world to world, drawing every ``frame`` seconds.
 
     Without a display it shows nothing and warns once through Gymnasium's logger.
     """

@@ -1,4 +1,4 @@
-"""Constants of the Panda: Franka's published numbers and identified masses.
+"""Constants of the Panda: values published by Franka, and experimentally identified masses.
 
 Sources: *Franka Control Interface documentation, robot and interface specifications* (modified
 Denavit-Hartenberg parameters after Craig, joint position, velocity and torque limits, hand and

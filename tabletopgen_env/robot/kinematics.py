@@ -150,7 +150,7 @@ def _turn_back(
     rest: Float[np.ndarray, "7"],
     damping: float,
 ) -> Float[np.ndarray, "7"]:
-    """Return a replacement for the joints ``new`` that stays within all joint ranges."""
+    """Return a replacement for the joint angles ``new`` that stays within all joint ranges."""
     # Joints out of their range, such as a straight elbow, return by at most one step.
     lowest = np.minimum(LOWEST, joints + MAX_STEP)
     highest = np.maximum(HIGHEST, joints - MAX_STEP)
@@ -173,7 +173,7 @@ def solve_ik(
     start: Float[np.ndarray, "7"] = HOME,
     iterations: int = 60,
 ) -> IkSolution:
-    """Find joints that move the tool centre point to a pose in the base frame (metres).
+    """Find joint angles that bring the tool centre point to a pose in the base frame (metres).
 
     The search starts from ``start``, whose branch it keeps if possible, then from a few postures
     that face the target, with ``iterations`` steps each. It returns the best attempt; check

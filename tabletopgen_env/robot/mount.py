@@ -213,7 +213,7 @@ def _obstacle(
 def _score(
     mount: Mount, spots: Float[np.ndarray, "n 3"], boxes: Sequence[_Box], rising: Sequence[_Box]
 ) -> float:
-    """Return a mount's score for objects and table area in reach, clearance, and table side."""
+    """Return a mount's score from objects and table area in reach, clearance and table side."""
     covered = float(mount.reaches(spots).mean())
     reached = crowded = 0.0
     if boxes:

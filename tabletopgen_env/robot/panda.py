@@ -140,7 +140,7 @@ def _add_actuators(spec: mujoco.MjSpec) -> None:
 
 
 def _exclude_neighbours(spec: mujoco.MjSpec) -> None:
-    """Exclude collisions between bodies up to three joints apart; the fingers have joint limits."""
+    """Exclude collisions of bodies up to three joints apart; joint limits separate the fingers."""
     chain = [*_LINKS, HAND]
     pairs = [(a, b) for i, a in enumerate(chain) for b in chain[i + 1 : i + 4]]
     pairs += [(link, finger) for link in chain[-4:] for finger in FINGERS]

@@ -1,4 +1,4 @@
-"""The Panda's appearance: light shells of revolution and swept tubes, defined by a few numbers.
+"""The Panda's appearance: low-poly shells of revolution and swept tubes, defined by a few numbers.
 
 Every shell is a closed triangle mesh in its body's frame, metres, with faces counter-clockwise seen
 from outside. All shells together have less than 3,000 faces, a fortieth of the scanned covers,

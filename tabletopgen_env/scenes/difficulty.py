@@ -128,7 +128,7 @@ def _tightness(scene: Scene, target: Object) -> float:
 
 
 def _crowding(scene: Scene) -> dict[str, float]:
-    """Return clutter and clearance, from the outlines of objects that stand on the table."""
+    """Return clutter and clearance terms, from the outlines of objects standing on the table."""
     import shapely
 
     standing = [o for o in scene.objects if o.placement.on == TABLE]

@@ -37,7 +37,7 @@ FixedChoice = str | Path | Scene | Sequence["str | Path | Scene"]
 
 
 def fixed_scenes(scenes: FixedChoice) -> FixedScenes:
-    """Find fixed scenes, in a fixed order, by the identifiers listed in ``selection.resolve``.
+    """Find fixed scenes by the identifiers that ``selection.resolve`` lists; their order is fixed.
 
     Raises:
         BundleError: no bundle matches; the message lists the available ones.

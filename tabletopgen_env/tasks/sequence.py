@@ -148,7 +148,7 @@ class Sequence(Task):
         return episode(world, tuple(_goal(world, step) for step in self.preset.steps))
 
     def instruction(self, world: World, goals: tuple[Goal, ...]) -> str:
-        """Return the sentence of the preset, or the instructions of the drawn ``goals``."""
+        """Return the sentence of the preset, or the instructions for the drawn ``goals``."""
         if self.preset is None:
             return super().instruction(world, goals)
         return Swap().instruction(world, goals) if self.preset.swap else self.preset.instruction
@@ -211,7 +211,7 @@ def _draw(world: World, rng: np.random.Generator, count: int) -> Episode:
 def _step(
     world: World, obj: Object, rng: np.random.Generator, busy: set[str], before: list[Goal]
 ) -> Goal | None:
-    """Return a goal for ``obj`` that avoids ``busy`` objects and spots of ``before``, or None."""
+    """Return a goal for ``obj`` that avoids ``busy`` objects and spots in ``before``, or None."""
     hollow = [c for c in containers(world, obj) if c.name not in busy]
     flat = [s for s in supports(world, obj) if s.name not in busy]
     ways: list[Goal] = []

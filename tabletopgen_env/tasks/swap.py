@@ -65,7 +65,7 @@ class Swap(Task):
         return draw_episode(world, rng, target, reasons, make, lacks)
 
     def instruction(self, world: World, goals: tuple[Goal, ...]) -> str:
-        """Return the instruction of the last two ``goals``."""
+        """Return the instruction for the last two ``goals``."""
         first, second = (str(goals[k].target) for k in (1, 2))
         return f"swap {the(world, first)} and {the(world, second)}"
 

@@ -1,4 +1,4 @@
-"""The base of all tasks: ordered goals, goal vectors, named reward terms, and a test of success.
+"""The base of all tasks: ordered goals, goal vectors, named reward terms, and a success test.
 
 An episode is a tuple of goals. The *active* goal is the first unmet one; the state shows its target
 and region. A task has *succeeded* while all its goals are met at once.
@@ -95,7 +95,7 @@ class Gap:
 
 
 def episode(world: World, goals: tuple[Goal, ...]) -> Episode:
-    """Return an episode with ``goals`` that begins now."""
+    """Return an episode that begins now, with the given ``goals``."""
     starts = tuple(0.0 if g.target is None else float(world.position(g.target)[2]) for g in goals)
     return Episode(goals, starts)
 
@@ -133,7 +133,7 @@ class Task(ABC):
         """
 
     def instruction(self, world: World, goals: tuple[Goal, ...]) -> str:
-        """Return the instruction for ``goals``, with unambiguous names of the present objects."""
+        """Return the instruction for ``goals``, naming the objects in the world unambiguously."""
         return ", then ".join(goal.words(world) for goal in goals)
 
     @property

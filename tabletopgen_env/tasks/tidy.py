@@ -64,7 +64,7 @@ class Tidy(Task):
         raise nothing(world, reasons)
 
     def instruction(self, world: World, goals: tuple[Goal, ...]) -> str:
-        """Return the instruction of ``goals`` in one sentence."""
+        """Return the instruction for ``goals`` as one sentence."""
         *listed, last = (the(world, str(goal.target)) for goal in goals)
         container = the(world, str(goals[0].reference))
         return f"put {', '.join(listed)} and {last} into {container}"

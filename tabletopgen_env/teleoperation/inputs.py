@@ -119,7 +119,7 @@ class Operator:
 
 
 def _motion(given: HumanInput) -> Float[np.ndarray, "4"]:
-    """Return the motion to the right, away and upwards, and the turn, each in [-1, 1]."""
+    """Return the motion right, away from the viewer and up, and the turn, each in [-1, 1]."""
     found = np.zeros(4)
     for key in given.keys & _KEYS.keys():
         entry, sign = _KEYS[key]

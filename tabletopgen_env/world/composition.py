@@ -106,7 +106,7 @@ def marker_kind(shape: MarkerShape) -> mujoco.mjtGeom:
 
 
 def front_camera(scene: Scene, mount: Mount, width: int, height: int) -> Camera:
-    """Return the camera opposite the robot, which shows the tabletop and the arm at home.
+    """Return the camera that faces the robot and shows the tabletop and the arm in its home pose.
 
     Both are entirely visible in pictures at least as wide as high.
     """

@@ -73,7 +73,7 @@ def furnish(spec: mujoco.MjSpec, scene: Scene, mount: Mount, front: Camera) -> N
 def exposure(
     suns: Float[np.ndarray, "n 3"], ambient: Float[np.ndarray, "3"], head: Float[np.ndarray, "3"]
 ) -> float:
-    """Return the factor, at most 1, that prevents overexposure of white under these lights."""
+    """Return the factor, at most 1, that keeps white from being overexposed under these lights."""
     brightest = float((suns.sum(0) + ambient + head).max())
     return min(1.0, BRIGHTEST / max(brightest, 1e-9))
 
@@ -121,7 +121,7 @@ def _paint(spec: mujoco.MjSpec) -> None:
 def _shine(
     spec: mujoco.MjSpec, middle: Float[np.ndarray, "3"], beam: Float[np.ndarray, "3"]
 ) -> None:
-    """Set the ambient light, and direct the scene's sun."""
+    """Set the ambient light, and aim the scene's sun."""
     head = spec.visual.headlight
     head.ambient, head.diffuse, head.specular = [AMBIENT] * 3, [HEADLIGHT] * 3, [0.0] * 3
     (sun,) = spec.lights

@@ -315,7 +315,7 @@ class World:
         return tuple(self.names[k] for k in np.flatnonzero(low))
 
     def touches(self, name: str) -> tuple[bool, bool, bool]:
-        """Return whether the left finger, right finger and any robot part touch an object.
+        """Return an object's contact flags for the left finger, right finger and any robot part.
 
         The result is cached until the next call that moves something. No moving part touches a
         sleeping object, because the arm never sleeps and wakes every object that it touches; only

@@ -20,7 +20,7 @@ KEPT = 16
 
 
 class WorldCache:
-    """A cache of the ``size`` most recently used worlds, keyed by scene; resets only write state.
+    """A cache of the ``size`` most recently used worlds, keyed by scene; a reset never recompiles.
 
     New worlds, with ``robot`` at the table, are copied from ``masters``; if that is None, each is
     compiled.

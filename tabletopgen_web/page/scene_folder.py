@@ -53,7 +53,7 @@ _EPOCH = (1980, 1, 1, 0, 0, 0)  # time of all files in an archive
 
 @dataclass(frozen=True, eq=False)
 class SceneFolder:
-    """The files in the folder of a scene by relative path, and the scene's gallery entry."""
+    """The files in a scene's folder, keyed by relative path, and the scene's gallery entry."""
 
     row: SceneRow
     files: Mapping[str, bytes]

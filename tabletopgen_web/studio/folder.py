@@ -1,4 +1,4 @@
-"""The data folder of a studio, and the lock that limits it to one process.
+"""The data folder of a studio, and the lock that reserves it for one process.
 
 ::
 
@@ -132,7 +132,7 @@ class StudioFolder:
         write_whole(self.root / _WHO, facts, _ADDRESS, "Free disk space.")
 
     def make_token(self, study: str) -> str:
-        """Return the token for a study's raters, which stays the same as long as the folder exists.
+        """Return the token for a study's raters; it stays the same as long as the folder exists.
 
         It persists when the studio stops, so addresses sent to raters remain valid.
 

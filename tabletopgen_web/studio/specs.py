@@ -105,7 +105,7 @@ JobSpec = GenerateSpec | ComposeSpec | EditSpec | EpisodeSpec | ExportSpec
 
 
 def read_spec(payload: object) -> JobSpec:
-    """Return the job in a JSON object.
+    """Return the job described by a JSON object.
 
     Raises:
         InputError: a field is missing, unknown, has another type or is out of range.

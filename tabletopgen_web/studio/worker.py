@@ -85,7 +85,7 @@ def main() -> int:
 
 
 def _take_over_output() -> BinaryIO:
-    """Return the stream to the server; redirect other output to standard error."""
+    """Return the stream for messages to the server; redirect other output to standard error."""
     speech = os.fdopen(os.dup(sys.stdout.fileno()), "wb")
     os.dup2(sys.stderr.fileno(), sys.stdout.fileno())
     return speech

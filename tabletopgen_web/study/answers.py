@@ -1,4 +1,4 @@
-"""Raters' answers, read as untrusted files: invalid ones are excluded with a reason."""
+"""Raters' answers, read from untrusted files; each excluded file is listed with the reason."""
 
 from __future__ import annotations
 

@@ -91,5 +91,5 @@ def _errors(means: Sequence[float], intervals: Sequence[Interval | None]) -> np.
 
 
 def _plain(name: str) -> str:
-    """Return a name without markup or a first character that would hide it from the legend."""
+    """Escape markup, and remove a leading "_" that would hide the name in the legend."""
     return name.replace("$", r"\$").removeprefix("_")

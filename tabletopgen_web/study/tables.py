@@ -87,7 +87,7 @@ def lines(report: StudyReport) -> list[str]:
 
 
 def count_lines(report: StudyReport) -> list[str]:
-    """Return the lines about counted and excluded raters, and their time."""
+    """Return the lines about counted and excluded raters, and the average time they took."""
     out, left = report.excluded, len(report.left_out)
     raters = "rater" if report.raters == 1 else "raters"
     few = ["intervals and agreement need two raters or more"] if report.raters < 2 else []

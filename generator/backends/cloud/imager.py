@@ -45,7 +45,7 @@ _EARLIER = "\n\nAn earlier drawing was wrong: "
 
 @dataclass(frozen=True)
 class CloudImager:
-    """An imager that uses an image model, and a chat model to check the top views.
+    """An imager that draws with an image model, and checks top views with a chat model.
 
     Attributes:
         base_url: the image server; see ``drawing`` for the supported forms.

@@ -156,7 +156,7 @@ class CloudReasoner:
     def stacking_order(
         self, reference: Reference, instances: Instances, view: View
     ) -> Mapping[str, Stacking]:
-        """Return the support of each object; layers are counted from the table up."""
+        """Return each object's support and its layer, counted from the table up."""
         shown = Labelled.of(reference.image, instances)
 
         def stacking(answer: answers.RestsAnswer) -> Mapping[str, Stacking]:

@@ -1,4 +1,4 @@
-"""Completion of one object in the reference image: its hidden parts, and a clean, soft outline."""
+"""Completion of one object in the reference image: its hidden parts, and a feathered outline."""
 
 from __future__ import annotations
 

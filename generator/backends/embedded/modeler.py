@@ -35,7 +35,7 @@ _UNLIKE = 0.4  # difference from measured proportions above which a label is rej
 
 @dataclass(frozen=True)
 class EmbeddedModeler:
-    """The embedded image-to-3D backend. ``texture`` is the side of the baked textures in texels.
+    """The embedded image-to-3D backend. ``texture`` is the side length of baked textures in texels.
 
     ``quick`` is for scenes whose plan names the objects and corrects errors: labels are trusted,
     and fewer shapes are tried.

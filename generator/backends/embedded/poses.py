@@ -34,7 +34,7 @@ def guess_rotations(instances: Instances, sizes: Sizes, view: View) -> dict[str,
 
 
 def guess_layout(instances: Instances, sizes: Sizes, view: View) -> dict[str, LayoutBox]:
-    """Return typical sizes, and positions interpolated linearly in the table's box.
+    """Return typical sizes, and positions interpolated linearly in the table's bounding box.
 
     The far edge of the tabletop is the upper side of the table's box; its near edge follows from
     the table's proportions and the camera's elevation. An object's foot is the lower side of its

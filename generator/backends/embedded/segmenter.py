@@ -153,7 +153,7 @@ def _pick_wanted(
     wanted: tuple[str, ...],
     measured: TablePlane | None,
 ) -> Named:
-    """Return the objects that match the requested words; uncertain ones must resemble them."""
+    """Return objects that match the requested words; uncertain objects must resemble their word."""
     if not things:
         return []
     plane = measured or find_tabletop(image)
@@ -166,7 +166,7 @@ def _pick_wanted(
 def _label(
     image: UInt8[np.ndarray, "h w 3"], things: Sequence[EyeDetection], measured: TablePlane | None
 ) -> Named:
-    """Return the objects with their labels; ``measured`` is the metric plane if there is depth."""
+    """Return the objects with their labels; ``measured`` is the metric plane from a depth map."""
     if not things:
         return []
     keys = load_weights().categories

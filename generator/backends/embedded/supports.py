@@ -1,4 +1,4 @@
-"""Supports of objects, from depth or else from visible and whole masks (Fig. 25).
+"""Supports of objects, from depth maps or else from visible and whole masks (Fig. 25).
 
 Where two masks overlap in the picture, the object in front is visible. An object *on* another is
 visible with its foot inside the other's outline. An object *in* another is partly visible: its

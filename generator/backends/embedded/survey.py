@@ -1,4 +1,4 @@
-"""Geometry of a reference: the table plane and, if there is depth, the objects as solids.
+"""Geometry of a reference: the table plane and, with a depth map, the objects as solids.
 
 A reference with depth is measured; without depth, the tabletop's outline gives the plane.
 """
@@ -27,7 +27,7 @@ _BACK = 1.6  # maximum ratio of an object's width to its visible width if it hid
 
 @dataclass(frozen=True, eq=False)
 class Survey:
-    """The tabletop of a reference and, if it has depth, the solids of its objects in metres.
+    """The tabletop of a reference and, if it has a depth map, its objects' solids in metres.
 
     ``height`` is the height of the tabletop above a floor, or None if depth does not show it.
     """

@@ -1,4 +1,4 @@
-"""Fit of a table to its silhouette: the known top first, then legs that explain the rest."""
+"""Fit of a table to its silhouette: first the known top, then the legs and other parts."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ class Silhouette:
 
     @cached_property
     def cut_below(self) -> bool:
-        """Whether the frame cuts the lower end of the table."""
+        """Whether the frame cuts off the lower end of the table."""
         return not self.shown[min(self.bottom + 2, len(self.shown) - 1)].any()
 
     def overlap(self, drawn: Mask) -> float:

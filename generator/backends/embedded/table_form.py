@@ -82,7 +82,7 @@ class TableForm:
         return rings
 
     def feet(self) -> Float[np.ndarray, "n 2"]:
-        """Return the corners of the parts on the floor, which do not depend on the height."""
+        """Return the corners of the parts on the floor; the table's height does not affect them."""
         return np.concatenate([ring[0, :, :2] for ring in self.pieces() if ring[0, 0, 2] == 0])
 
     def _posts(self, top: float) -> list[Ring]:
@@ -138,7 +138,7 @@ class TableForm:
 
 
 def corners_of(outline: Float[np.ndarray, "k 2"]) -> Float[np.ndarray, "n 2"]:
-    """Return a triangular top's corners, or else four rim points towards its box's corners."""
+    """Return a triangular top's corners, or else the rim points on its bounding box's diagonals."""
     polygon = shapely.Polygon(outline)
     rays = np.linspace(0, 2 * np.pi, 36, endpoint=False) + np.pi / 2
     middle = np.array(polygon.centroid.coords[0])
@@ -157,7 +157,7 @@ def corners_of(outline: Float[np.ndarray, "k 2"]) -> Float[np.ndarray, "n 2"]:
 def _hits(
     polygon: shapely.Polygon, middle: Float[np.ndarray, "2"], rays: Float[np.ndarray, "n 2"]
 ) -> Float[np.ndarray, "n 2"]:
-    """Return where each ray from a point inside a convex polygon leaves it, or ends within it."""
+    """Return where rays from a point inside a convex polygon leave the polygon, or else end."""
     ends = [polygon.intersection(shapely.LineString([middle, middle + ray])) for ray in rays]
     return np.stack([shapely.get_coordinates(end)[-1] for end in ends])
 

@@ -92,7 +92,7 @@ def _usual_tops(length: float, width: float) -> list[Float[np.ndarray, "_k 2"]]:
 def _paint(
     fit: Fitted, model: Model, instance: Instance, projection: Projection, size: int
 ) -> Mesh:
-    """Return the table's mesh in the picture's colours, with top and legs painted separately."""
+    """Return the table's mesh in the picture's colours; top and legs are painted separately."""
     mesh = model.mesh
     world = fit.world(np.asarray(mesh.vertices, float))
     image, mask = texture_bake.opaque_colors(instance.crop)

@@ -1,4 +1,4 @@
-"""The table from straight above, rendered from models that are fitted to their masks."""
+"""A top view of the table, rendered from models that are fitted to their masks."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def top_view(
     rotations: Mapping[str, Rotation],
     view: View,
 ) -> TopView:
-    """Place every model so that it projects onto its instance's box, and render from above.
+    """Place each model so that it projects onto its instance's bounding box; render from above.
 
     Instances without a model get the box of their mask, projected onto the plane. All boxes come
     from geometry, so ``repaired`` is empty; the picture is rendered from the same placements. If
@@ -94,7 +94,7 @@ def _upper_side(below: Body, container: bool) -> float:
 def fit_model(
     instance: Instance, model: Model, yaw: float, plane: TablePlane, floor: float
 ) -> Body:
-    """Solve for x, y and size so that the model's projection fills the instance's box.
+    """Solve for x, y and size so that the model's projection fills the instance's bounding box.
 
     ``floor`` is the height of the model's support above the tabletop. The size may change by a
     factor; a weak prior keeps it near the model's own.

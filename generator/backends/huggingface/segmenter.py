@@ -52,7 +52,7 @@ def usual_detector() -> str:
 
 @dataclass(frozen=True)
 class HuggingFaceSegmenter:
-    """A segmenter that detects objects by words and segments them.
+    """A segmenter that detects objects described by words, and segments them.
 
     The picture is processed as a whole and in tiles. Of several detections of one object, the one
     with the highest score is kept. Objects beside the table are removed.

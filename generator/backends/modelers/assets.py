@@ -1,4 +1,4 @@
-"""Look-up of meshes in a folder by object, as single files or with one folder per object."""
+"""Look-up of meshes by object in a folder that has single files or one subfolder per object."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""TripoSR by VAST and Stability AI in this process; the smallest model, which also runs on CPUs."""
+"""TripoSR (VAST, Stability AI) in this process: the smallest supported model, usable on CPUs."""
 
 from __future__ import annotations
 

@@ -68,7 +68,7 @@ class Keeper(Protocol):
         ...
 
     def owning(self, folder: Path) -> contextlib.AbstractContextManager[str]:
-        """Yield the name of a new owner of reservations, which is alive inside the block."""
+        """Yield the name of a new owner of reservations; the owner is alive inside the block."""
         ...
 
 

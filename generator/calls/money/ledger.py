@@ -40,7 +40,7 @@ class Account:
         self._spending: Spending | None = None
 
     def resume(self, spending: Spending, prices: Prices | None = None) -> None:
-        """Load the spending of earlier runs of this scene, and record this run's calls there.
+        """Load the spending of this scene's earlier runs, and add this run's calls to its record.
 
         Call this before any other call. Earlier spending counts towards the budget. Answers of
         unknown price are priced by ``prices`` if possible; otherwise a budget cannot be enforced.

@@ -32,7 +32,7 @@ _SAME = 20.0  # degrees; yaws this close to a symmetry are not distinguished
 
 @dataclass(frozen=True)
 class SilhouetteFit:
-    """A silhouette's IoU with a mask: unchanged, at the best yaw, and at the best scale.
+    """A silhouette's IoU with a mask: in its own pose, at the best yaw, and at the best scale.
 
     ``turn`` (radians, counter-clockwise) and ``factor`` are the best of the tested values.
     """
@@ -100,7 +100,7 @@ def _silhouette(
 def _overlap(
     shape: Bool[np.ndarray, "h w"], mask: Bool[np.ndarray, "h w"], free: Bool[np.ndarray, "h w"]
 ) -> float:
-    """Return a silhouette's higher IoU with the mask, either in place or with aligned centroids."""
+    """Return a silhouette's IoU with the mask: in place or with centroids aligned, if higher."""
     if not shape.any():
         return 0.0
     shown = shape & free if (shape & free).any() else shape

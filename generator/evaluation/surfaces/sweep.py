@@ -103,7 +103,7 @@ class Best:
     values: Float[np.ndarray, "n"]
 
     def facts(self) -> dict[str, Any]:
-        """Return the best value, and the view that has it, as JSON values."""
+        """Return the best value and the view that has it, as JSON values."""
         return {
             "value": round(self.value, 5),
             "higher_is_better": self.higher_is_better,

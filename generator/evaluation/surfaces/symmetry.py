@@ -24,7 +24,7 @@ _POINTS, _ASKED, _AROUND = 10_000, 2_000, 8
 
 @dataclass(frozen=True, eq=False)
 class Cloud:
-    """Evenly spaced points on a visible textured surface, in metres from its central vertical axis.
+    """Evenly spaced points on a visible textured surface, in metres, relative to its vertical axis.
 
     ``color`` is in [0, 1] and smoothed over neighbours; ``spacing`` is the distance between points.
     """

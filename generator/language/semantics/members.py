@@ -196,7 +196,7 @@ class MemberReader(ThingReader, ABC):
         return self._refer(noun, chosen) if chosen else None
 
     def _like_of(self, noun: Noun) -> Draft | None:
-        """Return the last object placed like the one in "another in front of the box"."""
+        """Return the last object with the kind of relation in "another in front of the box"."""
         kinds = {post.kind for post in noun.post if isinstance(post, Location)}
         placed = (
             d for d in reversed(self.reading.objects) if kinds & {kind for kind, _ in d.relations}

@@ -1,4 +1,4 @@
-"""Tables that the text describes as set: place settings, and shared objects in the middle."""
+"""Tables that the text says are set: place settings, and shared objects in the middle."""
 
 from __future__ import annotations
 

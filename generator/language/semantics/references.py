@@ -144,7 +144,7 @@ def pick(group: Sequence[Draft], ordinal: int) -> Group:
 
 
 def _last_arranged(objects: Sequence[Draft]) -> Group:
-    """Return the last group of several objects of one kind; of a stack, only its lowest object."""
+    """Return the last group of several objects of one kind; for a stack, only its lowest object."""
     for draft in reversed(objects):
         alike = [d for d in objects if d.noun == draft.noun and d.category == draft.category]
         stacked = [d for d in alike if d.stacked_under is not None]

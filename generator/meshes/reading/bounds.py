@@ -1,4 +1,4 @@
-"""Limits on foreign meshes, checked on headers and bytes before anything is decoded.
+"""Limits on foreign meshes, checked in headers and raw bytes before anything is decoded.
 
 The largest accepted file is read within 20 seconds and 2 GB.
 """

@@ -99,7 +99,7 @@ def _file(image: Image.Image) -> bytes | None:
 
 
 def _small(image: Image.Image) -> Texels:
-    """Return the colours of a picture in memory, with its longest side at most ``MOST_TEXTURE``."""
+    """Return the colours of a picture in memory, reduced to at most ``MOST_TEXTURE`` per side."""
     from ...pictures.pixels import shrink
 
     return shrink(image.copy(), MOST_TEXTURE)

@@ -291,7 +291,7 @@ class FoundYaws:
     turn: Turn | None = None
 
     def of(self, name: str, planned: Model) -> float | None:
-        """Return the yaw of the plan's model in the drawing, or None if it cannot be determined.
+        """Return the plan model's yaw that matches the drawing, or None if it cannot be determined.
 
         Modelers choose the axes of their meshes, so the yaw of a reconstructed shape is used only
         if the plan's shape matches the drawing at the same yaw.

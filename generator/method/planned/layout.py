@@ -39,7 +39,7 @@ class Laid:
 
 
 def lay_out_draft(draft: SceneDraft, seed: int) -> Laid:
-    """Return the draft with drawn positions or, where these contradict the plan, planned positions.
+    """Return the draft with drawn positions or, where they contradict the plan, planned positions.
 
     Rows, circles and place settings are arranged as a whole, as planned. If a relation would not
     hold, its objects are placed again too and, as a last resort, all objects. The first of the

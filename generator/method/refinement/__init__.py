@@ -1,4 +1,4 @@
-"""Joint refinement, which extends the paper: all objects and the camera are fitted to all masks.
+"""Joint refinement (not in the paper): all objects and the camera are fitted to all masks.
 
 DRO rotates one object at a time, and TSA places the objects from another picture. This stage
 optimises the yaws, positions and sizes of all objects together by gradient descent until their

@@ -1,4 +1,4 @@
-"""The misfit of outlines, and its minimisation by gradient descent."""
+"""The mismatch between rendered and observed outlines, and its minimisation by gradient descent."""
 
 # Torch's tensor methods lack type annotations.
 # pyright: reportUnknownMemberType=false, reportUnknownVariableType=false

@@ -1,4 +1,4 @@
-"""The refinement stage and the quantity it minimizes, the mismatch of outlines."""
+"""The refinement stage and what it minimizes: the mismatch of rendered and observed outlines."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ def refine_scene(
     config: RefinementConfig,
     seed: int = 0,
 ) -> Refinement:
-    """Optimise the poses of all objects and the camera's position so that the outlines match.
+    """Optimise the poses of all objects and the camera's position to match the observed outlines.
 
     ``instances``, ``view`` and ``image_size`` (width, height) are those of the reference picture.
     The table's model, if given, determines the outline of its top; ``table_scale`` is its extent,
@@ -89,7 +89,7 @@ def outline_misfit(
     config: RefinementConfig | None = None,
     seed: int = 0,
 ) -> float:
-    """Return one minus the mean overlap of the outlines of a finished scene.
+    """Return one minus the mean overlap of a finished scene's outlines with the picture's.
 
     This is the measure of ``Refinement`` for objects at rest, as seen by a camera that has the
     picture's direction and the best-matching position. An instance counts as 1 if it has no object

@@ -39,7 +39,7 @@ class ObservedThings:
 
 @dataclass(frozen=True, eq=False)
 class PosedThings:
-    """Poses of ``n`` objects: surface, yaw (radians) and box centre (metres)."""
+    """Surfaces and poses of ``n`` objects: yaw (radians) and box centre (metres)."""
 
     surface: SampledSurface
     yaw: Float[Tensor, "n"]

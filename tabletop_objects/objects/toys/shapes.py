@@ -69,7 +69,7 @@ def _half_round(k: float) -> Made:
 
 
 def _ring(outer: float, inner: float, height: float) -> Callable[[Look], Shape]:
-    """A round ring or a piece of round tube."""
+    """A ring or a piece of round tube."""
 
     def make_shape(look: Look) -> Shape:
         k = look.between(0.9, 1.12)

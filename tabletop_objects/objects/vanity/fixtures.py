@@ -38,7 +38,7 @@ def soap_dish(look: Look) -> Shape:
           "wash basin", "hand basin", "bathroom sink", "kitchen sink", "vessel sink"),
           themes=("vanity",), roles=("container", "big"), colors=("white",))  # fmt: skip
 def sink(look: Look) -> Shape:
-    """A washbasin for a countertop with a tap behind it."""
+    """A countertop washbasin with a tap behind it."""
     r, h = look.between(0.17, 0.2), look.between(0.11, 0.13)
     side = [(0.62 * r, 0), (0.8 * r, 0.3 * h), (0.94 * r, 0.7 * h), (r, h)]
     basin, parts = open_vessel(side, 0.012, 0.014)
@@ -61,7 +61,7 @@ def sink(look: Look) -> Shape:
           aliases=("hand soap",), themes=("vanity", "kitchen"), roles=("tall",),
           colors=("white", "teal"), common=True)  # fmt: skip
 def soap_dispenser(look: Look) -> Shape:
-    """A pump bottle for soap with its spout towards the viewer."""
+    """A soap pump bottle with its spout towards the viewer."""
     r, h = look.between(0.03, 0.036), look.between(0.105, 0.125)
     color = look.color("white", "teal", "amber", "pink", "gray", "sage")
     word = look.pick(["SOAP", "LOTION", "HANDS"])

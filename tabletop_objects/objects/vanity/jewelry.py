@@ -289,7 +289,7 @@ GEMS = ("red", "blue", "green", "purple", "teal", "white", "pink", "amber")
 
 
 def gold(look: Look, color: tuple[float, float, float]) -> surfaces.Tile:
-    """Return a tile of brushed metal in ``color`` for a piece of jewellery."""
+    """Return a texture tile of brushed metal in ``color`` for a piece of jewellery."""
     return surfaces.brushed_metal(look.rng, color)
 
 

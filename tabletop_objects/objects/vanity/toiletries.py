@@ -234,7 +234,7 @@ def shaving_brush(look: Look) -> Shape:
           "fabric shaver", "bobble remover"), themes=("vanity",), colors=("black", "navy"),
           state="lying")  # fmt: skip
 def electric_shaver(look: Look) -> Shape:
-    """An electric shaver with three round cutters in its head, lying on its back."""
+    """An electric shaver lying on its back, with three round cutters in its head."""
     color = look.color("black", "navy", "silver", "gray", "red", "white")
     body = rod([(-0.03, 0, 0.02), (0.02, 0, 0.021), (0.075, 0, 0.018)], [0.021, 0.02, 0.0165], 18)
     body = body.scale(1, 1.15, 0.92)
@@ -459,7 +459,7 @@ def hairspray(look: Look) -> Shape:
           "roll-on deodorant", "roll on deodorant"), themes=("vanity",), roles=("tall",),
           colors=("white", "blue"))  # fmt: skip
 def deodorant(look: Look) -> Shape:
-    """A deodorant stick with an oval body and its cap on."""
+    """A capped deodorant stick with an oval body."""
     color = look.color("white", "blue", "black", "green", "pink", "teal", "gray")
     h = look.between(0.095, 0.12)
     lower = block(0.056, 0.032, 0.58 * h, 0.0155, 0.002)

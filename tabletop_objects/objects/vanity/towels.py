@@ -50,7 +50,7 @@ def rolled_towel(look: Look) -> Shape:
           "antibacterial wipe", "wet wipe", "hanky"), themes=("vanity",), roles=("flat", "support"),
           colors=("white", "teal"), state="lying folded")  # fmt: skip
 def washcloth(look: Look) -> Shape:
-    """A small square washcloth with a loop, folded in four."""
+    """A small square washcloth, folded in four, with a loop."""
     side = look.between(0.11, 0.15)
     color = look.color(*SOFT, "teal", "mustard", "navy")
     terry = surfaces.spots(look.rng, color, tint_color(color, 0.88), 0.4)

@@ -19,7 +19,7 @@ from ...kit.surfaces import Look, tint_color
           aliases=("oiler", "oil dispenser can", "lubricant can"), themes=("workbench",),
           roles=("tall",), colors=("red", "copper"))  # fmt: skip
 def oil_can(look: Look) -> Shape:
-    """An oil can: a flat cone with a long, bent spout."""
+    """An oil can: a squat body with a conical top, a handle and a long, bent spout."""
     k = look.between(0.88, 1.08)
     color = look.color("red", "green", "blue", "copper", "silver", "yellow")
     body = lathe(np.array([(0, 0), (0.04, 0), (0.042, 0.003), (0.042, 0.04), (0.034, 0.05),

@@ -112,7 +112,7 @@ def staple(look: Look) -> Pieces:
 @vary()
 @from_pieces()
 def staple_strip(look: Look) -> Pieces:
-    """A strip of staples with its legs down."""
+    """A strip of staples with their legs down."""
     lines = surfaces.stripes([(206, 208, 212), (150, 152, 158)], 24, upright=True)
     top = at_box(0.05, 0.0126, 0.0008, (0, 0, 0.0056))
     sides = [at_box(0.05, 0.0008, 0.006, (0, s * 0.0059, 0)) for s in (-1, 1)]

@@ -95,7 +95,7 @@ def castor(look: Look) -> Pieces:
           state="lying")  # fmt: skip
 @from_pieces()
 def door_knob(look: Look) -> Pieces:
-    """A round door knob on a rose, standing on its back plate."""
+    """A round door knob standing on its back plate."""
     steel = metal(look, "brass", "silver", "gold", "white", "black")
     return [(standing((0.029, 0), (0.028, 0.005), (0.013, 0.009), (0.011, 0.024), (0.02, 0.03),
                       (0.027, 0.042), (0.026, 0.052), (0.014, 0.06), sides=30), steel)]  # fmt: skip
@@ -237,7 +237,7 @@ def hinge(look: Look) -> Shape:
           aliases=("angle bracket", "l bracket", "corner bracket", "shelf bracket", "metal bracket",
           "stabiliser"), themes=("workbench",), colors=("silver",))  # fmt: skip
 def bracket(look: Look) -> Shape:
-    """An angle bracket with one arm on the table and one upright."""
+    """An angle bracket with one arm flat on the table and the other upright."""
     k = look.between(0.85, 1.15)
     metal = look.surface(look.color(*METALS, "white", "black"), "metal")
     a, wide, t = 0.06 * k, 0.022 * k, 0.0028

@@ -80,7 +80,7 @@ def rope(look: Look) -> Shape:
           aliases=("magnet", "u magnet", "toy magnet"), themes=("workbench",), roles=("flat",),
           colors=("red",))  # fmt: skip
 def horseshoe_magnet(look: Look) -> Shape:
-    """A horseshoe magnet lying flat: a painted bow with bare metal poles."""
+    """A horseshoe magnet lying flat: a painted, U-shaped bar with bare metal poles."""
     k = look.between(0.85, 1.15)
     color = look.color("red", "red", "crimson", "blue")
     h = 0.012 * k

@@ -217,7 +217,7 @@ def _sander(kind: str) -> Drawing:
           themes=("workbench",), roles=("big",), colors=("teal", "red"), state="lying")  # fmt: skip
 @from_pieces(bodies=8)
 def plunge_router(look: Look) -> Pieces:
-    """A router: a motor between two knobs on posts above a round base."""
+    """A plunge router: a motor on two posts above a round base, with a knob on each side."""
     tile = plastic(look, *BODIES)
     base = lathe([(0.02, 0), (0.075, 0), (0.075, 0.01), (0.02, 0.01)], 36, loop=True)
     posts = [straight((s * 0.05, 0, 0.008), (s * 0.05, 0, 0.13), 0.006, 10) for s in (-1, 1)]
@@ -277,7 +277,7 @@ HEAT_GUN_BLACK = surfaces.plain((36, 36, 39))
 
 
 def _gun(kind: str) -> Drawing:
-    """A heat gun, nailer, spray gun or driver with a pistol grip, lying on its side."""
+    """A heat gun, nail gun, spray gun or soldering gun with a pistol grip, lying on its side."""
 
     def draw(look: Look) -> Pieces:
         tile = plastic(look, *BODIES) if kind != "spray" else shine(look)

@@ -291,7 +291,7 @@ def hacksaw(look: Look) -> Shape:
           "hexagon key"), themes=("workbench",), roles=("flat",), colors=("charcoal",),
           state="lying flat")  # fmt: skip
 def hex_key(look: Look) -> Shape:
-    """A hex key lying flat: an L-shaped key of six-sided steel, sometimes with a T-handle."""
+    """A hex key lying flat: an L-shaped, six-sided metal bar, sometimes with a T-handle."""
     k = look.between(0.8, 1.3)
     color = look.color("charcoal", "black", "silver", "silver", "gray")
     r = 0.0032 * k

@@ -24,7 +24,7 @@ _NOTHING = SuiteOutcome(False, 0, 0.0)
 
 @dataclass(frozen=True)
 class Doubt:
-    """An impossible property of some episodes of a result.
+    """An impossible value in a result, and the number of episodes affected.
 
     Attributes:
         kind: the kind of the problem.

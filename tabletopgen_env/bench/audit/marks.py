@@ -1,4 +1,4 @@
-"""Marks that record which results have been replayed, each in a file beside its result.
+"""Marks that record which results have been replayed; each mark is a file beside its result.
 
 Like a result, a mark is not signed: the maintainer of a leaderboard creates the marks.
 """

@@ -24,7 +24,7 @@ REWARD = 1e-4
 
 @dataclass(frozen=True)
 class EpisodeReplay:
-    """An episode as listed in a result and as replayed; ``number`` is the episode's index."""
+    """The listed and replayed outcomes of an episode; ``number`` is the episode's index."""
 
     number: int
     listed: EpisodeRow
@@ -81,7 +81,7 @@ def replay(
     tables: Path | None = None,
     pool: PoolOptions = PoolOptions(),  # noqa: B008
 ) -> Iterator[EpisodeReplay]:
-    """Replay the episodes of a result that have the given indices, and yield each replay.
+    """Replay a result's episodes with the given indices, and yield each replay.
 
     Raises:
         InputError: the player does not exist.
@@ -101,7 +101,7 @@ def replay(
 
 
 def _check_same(facts: PlayerFacts, listed: PlayerFacts, name: str) -> None:
-    """Check that a player is the same as the player of a result, apart from its name."""
+    """Check that a player matches the player of a result in everything but the name."""
     other = [
         part for part in ("kind", "digest", "settings")
         if getattr(facts, part) != getattr(listed, part)

@@ -51,7 +51,7 @@ def choose(world: World, target: str, failed: tuple[Grasp, ...] = ()) -> GraspPl
 
 
 def first_reachable(world: World, target: str, found: list[Grasp]) -> GraspPlan | None:
-    """Return the first of the grasps ``found`` within the arm's reach, or None if there is none.
+    """Return the first grasp in ``found`` that the arm can reach, or None if there is none.
 
     The wrist must clear the height map of all other objects.
     """

@@ -171,7 +171,7 @@ def _stretched(world: World, tool: Float[np.ndarray, "3"], yaw: float) -> bool:
 
 
 def _points(goal: Goal, region: Region) -> Float[np.ndarray, "n 2"]:
-    """Return candidate positions (x, y, world) for the target, the region's centre first."""
+    """Return candidate positions (x, y, world) of the target, with the region's centre first."""
     rings = (0.0, 0.3, 0.6, 0.95) if isinstance(goal, Into | OnTop) else (0.0, 0.3, 0.6)
     angles = np.arange(12) * np.pi / 6
     ring = np.column_stack([np.cos(angles), np.sin(angles)])
@@ -240,5 +240,5 @@ def _hand(opening: float, yaw: float) -> Underside:
 def _touching(
     others: HeightMap, tools: Float[np.ndarray, "k 2"], under: Underside
 ) -> Float[np.ndarray, "k n"]:
-    """Return, for each tool position, the contact height of each column of ``under``."""
+    """Return the contact height of each column of ``under`` at each tool position."""
     return others.at(tools[:, None] + under.at) - under.low

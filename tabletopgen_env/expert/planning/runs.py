@@ -53,7 +53,7 @@ class Slabs:
 
 
 def slabs(shape: VoxelSolid, floor: float) -> Slabs:
-    """Divide ``shape``, which stands on a table of height ``floor`` (metres), into slabs."""
+    """Return the slabs of ``shape``, which stands on a table at height ``floor`` (metres)."""
     count = len(shape.levels)
     filled = np.ascontiguousarray(shape.filled.reshape(-1, count).T).astype(np.uint8)
     tops = (filled * np.arange(1, count + 1, dtype=np.int16)[:, None]).max(0)
@@ -126,7 +126,7 @@ def _windows(
     left: Int[np.ndarray, "r"],
     width: Int[np.ndarray, "r"],
 ) -> Bool[np.ndarray, "r b w"]:
-    """Unpack the bits of ``width`` codes in each ``row``, starting at ``left`` and zero-padded."""
+    """Unpack the bits of ``width`` codes per ``row``, from ``left`` on; fill up with zeros."""
     along = np.arange(width.max(initial=1))
     found = codes[row[:, None], np.minimum(left[:, None] + along, codes.shape[1] - 1)]
     found = np.where(along < width[:, None], found, np.uint8(0))

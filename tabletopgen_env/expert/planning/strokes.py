@@ -82,7 +82,7 @@ def plan_stroke(
     others: HeightMap | None = None,
     care: Care = "free",
 ) -> Stroke | None:
-    """Plan a push of an object's centre to a spot (x, y, world); return None if none is possible.
+    """Plan a push that moves an object's centre to a spot (x, y, world); return None if impossible.
 
     ``others`` is the height map ``beside`` the object, if it is already known.
     """
@@ -139,7 +139,7 @@ def _contact(
     opening: float,
     floor: float,
 ) -> tuple[Float[np.ndarray, "2"], float] | None:
-    """Return the tool's (x, y) and height to touch an object near its base, or None if none fits.
+    """Return the (x, y) and height at which the tool touches an object near its base, or None.
 
     Both are in the world frame.
     """

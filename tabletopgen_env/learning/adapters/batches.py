@@ -16,7 +16,7 @@ from ...parallel.batch.env import TabletopBatchEnv
 
 
 class BatchVecEnv(VecEnv):
-    """A ``TabletopBatchEnv`` as a ``VecEnv`` of Stable-Baselines3.
+    """A ``VecEnv`` of Stable-Baselines3 that wraps a ``TabletopBatchEnv``.
 
     Each info holds "success" and "is_success". The info of an episode's last step also holds
     "terminal_observation", "TimeLimit.truncated" and "failed" (whether the world has failed).

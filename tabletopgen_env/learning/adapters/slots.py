@@ -27,7 +27,7 @@ _FINAL = ("final_obs", "final_info")
 
 
 class SlotVecEnv(VecEnv):
-    """A ``TabletopVectorEnv`` as a ``VecEnv`` of Stable-Baselines3.
+    """A ``VecEnv`` of Stable-Baselines3 that wraps a ``TabletopVectorEnv``.
 
     The info of an episode's last step holds "terminal_observation" and "TimeLimit.truncated".
 

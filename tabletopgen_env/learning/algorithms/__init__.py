@@ -1,1 +1,1 @@
-"""Training algorithms, with one protocol for those of Stable-Baselines3 and of this package."""
+"""Training algorithms of Stable-Baselines3 and of this package, behind one protocol."""

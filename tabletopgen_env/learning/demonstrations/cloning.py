@@ -73,7 +73,7 @@ class CloningConfig:
 
 @dataclass(frozen=True)
 class Round:
-    """The outcome of a cloning round: the states so far, the success rate and the loss."""
+    """The outcome of a cloning round: the count of states so far, the success rate and the loss."""
 
     number: int
     states: int
@@ -144,7 +144,7 @@ def looks(model: SAC) -> bool:
 
 
 def moves_of(model: SAC) -> Callable[[Tensor], Tensor]:
-    """Return the actor's mean action as a function of states.
+    """Return a function that computes the actor's mean actions from states.
 
     For an actor with a grasp head, the states are those of a ``Teacher``, which include the
     features of the way to the grasp (``look_extractor``).

@@ -1,4 +1,4 @@
-"""Rounds of cloning on disk, so that an interrupted run resumes with identical results.
+"""Rounds of cloning, saved on disk so that an interrupted run resumes with identical results.
 
 ==================================  ================================================================
 ``round-NN.npz``                    the episodes of a round

@@ -36,7 +36,7 @@ The shape of a one-dimensional part is its size.
 
 
 class Actor(nn.Module):
-    """A policy's network of extractor, hidden layers and output, without squashing or clipping."""
+    """A policy's network: extractor, hidden layers and output, without squashing or clipping."""
 
     def __init__(self, network: Network, inputs: Inputs, actions: int) -> None:
         super().__init__()

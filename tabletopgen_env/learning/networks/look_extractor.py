@@ -55,7 +55,7 @@ _IN_AIR = 0.03  # a region higher than this above the surface below it counts as
 
 
 class LookExtractor(BaseFeaturesExtractor):
-    """A feature extractor for the state and the height maps that computes its own grasp hint.
+    """A feature extractor that takes the state and height maps and computes its own grasp hint.
 
     The head is trained only by ``demonstrations.grasp_lessons``, not through the features.
 
@@ -243,7 +243,7 @@ def _rise(
     depth: Float[Tensor, "n"],
     broad: Float[Tensor, "n"],
 ) -> Float[Tensor, "n"]:
-    """Return entry 6 of the way: how far the tool must rise to clear objects near the path.
+    """Return entry 6 of the way features: how far to raise the tool to clear objects near the path.
 
     Objects within ``broad`` of the path count.
     """

@@ -200,7 +200,7 @@ def _is_around(
 
 
 def is_robot(points: Float[Tensor, "m 3"], felt: Float[Tensor, "p"]) -> Bool[Tensor, "m"]:
-    """Return which points may belong to the robot: those inside the hand's box or above it."""
+    """Return which points may be the robot's: those in the hand's box or well above the tool."""
     x, y = felt[18:21], felt[21:24]
     axes = torch.stack([x, y, torch.linalg.cross(x, y)], 1)
     own = (points - felt[15:18]) @ axes
@@ -224,7 +224,7 @@ def table_height(points: Float[Tensor, "m 3"]) -> Float[Tensor, ""]:
 def box_of(
     points: Float[Tensor, "m 3"], table: Float[Tensor, ""]
 ) -> tuple[Float[Tensor, "3"], Float[Tensor, "3"]]:
-    """Return the centre and half extents of an object's box along the base's axes, in metres."""
+    """Return an object's bounding box along the base's axes: centre and half extents, in metres."""
     low, high = points.quantile(0.01, 0), points.quantile(0.99, 0)
     if low[2] < table + _SUNK:
         low[2] = table

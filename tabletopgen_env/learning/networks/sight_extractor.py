@@ -88,7 +88,7 @@ class SightExtractor(LookExtractor):
 
 
 def _sees_target(state: Float[Tensor, "n s"]) -> Bool[Tensor, "n"]:
-    """Return whether a target is visible; without one (Reach) there is nothing to grasp."""
+    """Return whether a target is visible; Reach has no target, so there is nothing to grasp."""
     return state[:, len(ROBOT_BOUNDS) + 18] > 0.5
 
 

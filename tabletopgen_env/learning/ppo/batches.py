@@ -18,7 +18,7 @@ from ..setup import spec_of
 
 @dataclass(frozen=True)
 class BatchConfig:
-    """Settings of a recipe's batch, from its TOML table ``batch``; see ``TabletopBatchEnv``.
+    """Settings of a batch, from the TOML table ``batch`` of a recipe; see ``TabletopBatchEnv``.
 
     Attributes:
         device: "cuda", "cuda:<number>" or "cpu" (slow, for tests), for simulation and training.

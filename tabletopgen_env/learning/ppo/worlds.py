@@ -112,7 +112,7 @@ class TensorWorlds:
         return {"": self._tensor(final)[cut].float()}
 
     def _successes(self, infos: Mapping[str, Any], over: Bool[Tensor, "n"]) -> Bool[Tensor, "n"]:
-        """Return which worlds reached their goal, or all False if the infos lack this entry."""
+        """Return which worlds reached their goal; without an info "success", all are False."""
         found = infos.get("success")
         now = torch.zeros_like(over) if found is None else self._tensor(found).bool()
         final = infos.get("final_info", {}).get("success")

@@ -86,7 +86,7 @@ class BatchWorld:
 
     @property
     def overflows(self) -> int:
-        """The number of times a world exceeded the available contacts or constraint rows."""
+        """The number of times a world needed more contacts or constraint rows than available."""
         return int(self._counts[0])
 
     @property
@@ -155,7 +155,7 @@ class BatchWorld:
         self._update_poses(at)
 
     def step(self, ctrl: Float[Tensor, "w 8"], substeps: int) -> Bool[Tensor, "w"]:
-        """Make ``substeps`` steps of ``TIMESTEP`` seconds in all worlds; return which ones failed.
+        """Step all worlds ``substeps`` times by ``TIMESTEP`` seconds; return which worlds failed.
 
         The arm's servo commands are interpolated from those of the last call to ``ctrl``, as in
         ``World.step``; the gripper's command changes at once.

@@ -1,4 +1,4 @@
-"""The choice of a deck's next episodes, uniformly or by a curriculum."""
+"""The choice of a deck's next episodes, either uniform or by a curriculum."""
 
 from __future__ import annotations
 

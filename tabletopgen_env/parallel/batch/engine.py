@@ -70,7 +70,7 @@ def _version(package: str) -> str | None:
 
 
 def find_device(name: str | torch.device) -> torch.device:
-    """Return the device ``name``: "cuda", "cuda:1" or "cpu".
+    """Return the device called ``name``, which is "cuda", "cuda:<number>" or "cpu".
 
     Raises:
         InputError: the device does not exist.

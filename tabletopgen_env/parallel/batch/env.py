@@ -280,7 +280,7 @@ class TabletopBatchEnv(VectorEnv[Any, Any, Any]):
         self.idle = deck.idle
 
     def _begin(self, mask: Bool[Tensor, "n"], rows: Int[Tensor, "n"] | None = None) -> None:
-        """Start episodes in the masked worlds, either random ones or those in the given ``rows``.
+        """Start the episodes in ``rows``, or else random ones, in the masked worlds.
 
         Both arguments are on the host, to avoid device synchronisation.
         """

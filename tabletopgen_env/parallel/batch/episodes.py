@@ -83,7 +83,7 @@ class EpisodeDraw:
             yield self._env.world
 
     def explain(self, error: InputError) -> InputError:
-        """Return a bank's error; if scenes have no valid task, add their number and an example."""
+        """Return a bank's error; add the number and an example of scenes without a valid task."""
         if not self.left_out:
             return error
         first = self.left_out[0]

@@ -71,7 +71,7 @@ class BatchLimits:
 
 
 def bytes_per_world(bank: SceneBank, limits: BatchLimits) -> int:
-    """Estimate the memory of each world of a batch in bytes.
+    """Estimate the memory that each world of a batch needs, in bytes.
 
     It includes the state, the batched part of the model, and the working memory of a step.
     """

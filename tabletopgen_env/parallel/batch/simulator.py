@@ -53,7 +53,7 @@ class Simulator:
         self.exchange(model)
 
     def exchange(self, model: mujoco.MjModel) -> None:
-        """Load another model of equal shape without recompiling; the caller must set all fields."""
+        """Load a model of the same shape without recompiling; the caller must set all fields."""
         warp, physics = self._engine.warp, self._engine.physics
         # A field can mark a mesh as absent only if it has entries for more than one world.
         sizes = dict.fromkeys(MODEL_FIELDS, max(2, self._worlds))

@@ -55,7 +55,7 @@ class RobotPose:
 
 
 def start_commands(joints: Float[Array, "n 7"]) -> Commands:
-    """Return commands that hold the robots at their current joints."""
+    """Return commands that hold the robots at the joint angles ``joints``."""
     arms = arms_at(joints)
     return Commands(joints, arms.tool, yaw_of(arms.hand), arms.hand)
 

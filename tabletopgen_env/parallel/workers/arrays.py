@@ -56,7 +56,7 @@ class SlotArrays:
             self.observations[k] = observation
 
     def observe(self) -> Any:
-        """Return the observations of all slots as new arrays, and strings as a tuple."""
+        """Return the observations of all slots as new arrays; strings are returned as tuples."""
         return _each(_copy, self.observations)
 
 
@@ -94,7 +94,7 @@ def _each(work: Callable[[Any], Any], part: Any) -> Any:
 
 
 class SharedBlock:
-    """Memory for arrays shared by several processes, in an open file without a name.
+    """Memory for arrays shared by several processes, in an open, unnamed file.
 
     The memory is released however the processes end, and ``/dev/shm``, which is small in
     containers, is not used. Processes that take the same arrays in the same order share their
@@ -117,7 +117,7 @@ class SharedBlock:
 
 
 def open_memory(size: int) -> int:
-    """Open a nameless file of ``size`` zero bytes, in memory if the system supports it."""
+    """Open an unnamed file of ``size`` zero bytes, in memory if the system supports it."""
     if hasattr(os, "memfd_create"):
         file = os.memfd_create("tabletopgen")
     else:

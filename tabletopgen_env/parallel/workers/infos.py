@@ -123,7 +123,7 @@ def _take_apart(
     numbers: list[float],
     others: list[Any],
 ) -> None:
-    """Append the paths, numbers and other values of an info below ``path`` to the three lists."""
+    """Append the paths (below ``path``), numbers and other values of an info to the three lists."""
     for key, value in info.items():
         kind = _KINDS.get(type(value))
         exact = kind is not int or abs(value) <= _LARGEST

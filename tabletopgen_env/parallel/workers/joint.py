@@ -31,7 +31,7 @@ _OBJECTS = 12  # initial capacity
 
 
 def check_joint(config: EnvConfig) -> None:
-    """Check that environments of a config can be stepped together.
+    """Check that a config's environments can be stepped together.
 
     Raises:
         InputError: the observation or action mode is not supported by the batched core.

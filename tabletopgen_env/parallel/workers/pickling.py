@@ -29,7 +29,7 @@ def pack(things: Any, what: str) -> bytes:
 
 
 def make_portable(error: Exception) -> Exception:
-    """Return an error that can be pickled; one from another package gets its traceback as a note.
+    """Return a picklable error; an error from another package gets its traceback as a note.
 
     An error that cannot be pickled becomes a RuntimeError with the same message.
     """

@@ -48,7 +48,7 @@ class Wish:
 
 
 def is_lent(source: object) -> bool:
-    """Return whether a source must stay in one process, since draws need more than ``rng``."""
+    """Return whether a source must stay in one process, as its draws need more than ``rng``."""
     return isinstance(source, SceneSource) and type(source) not in (FixedScenes, FreshScenes)
 
 
@@ -85,7 +85,7 @@ class AskedScenes:
         self._ask: Callable[[Wish], Any] | None = None
 
     def connect(self, ask: Callable[[Wish], Any]) -> None:
-        """Set the function that sends a request, and returns the answer or raises the error."""
+        """Set the function that sends a request and then returns the answer or raises the error."""
         self._ask = ask
 
     def draw(self, rng: np.random.Generator) -> SceneRef:

@@ -1,4 +1,4 @@
-"""Slots in several processes that share arrays with this one.
+"""Slots in several processes that share arrays with the current process.
 
 A step writes the actions into the arrays, wakes each shard with one byte, and waits for one byte
 from each. The processes are workers of a pool (``generator.jobs.workers``): fresh Python processes,

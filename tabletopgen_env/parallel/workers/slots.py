@@ -15,7 +15,7 @@ Job = Callable[[gym.Env], Any]
 
 
 class SlotRunner(Protocol):
-    """The interface that runs all slots of a vector environment, on threads or in processes.
+    """The interface for running all slots of a vector environment, on threads or in processes.
 
     If slots raise errors, the first slot's error is raised after all slots are done.
     """
@@ -59,7 +59,7 @@ class SlotSet:
         self._rows = rows
 
     def step_all(self, first: int) -> list[Any]:
-        """Step or reset every slot; return its info or error. Slots are numbered from ``first``."""
+        """Step or reset every slot, numbered from ``first``; return each slot's info or error."""
         return [attempt(self.step, k, first) for k in range(len(self.envs))]
 
     def step(self, k: int) -> dict[str, Any]:

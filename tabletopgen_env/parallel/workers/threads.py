@@ -58,7 +58,7 @@ class ThreadSlots:
                 worker.shutdown()
 
     def _each(self, work: Callable[[int], Any], slots: Iterable[int]) -> list[Any]:
-        """Run each slot's work in its thread; once all have ended, raise the first slot's error."""
+        """Run each slot's work in its thread; at the end, raise the first failed slot's error."""
         slots, count = list(slots), len(self._workers)
 
         def work_off(mine: list[int]) -> dict[int, Any]:

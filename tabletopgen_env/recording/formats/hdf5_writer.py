@@ -1,4 +1,4 @@
-"""Datasets as one HDF5 file."""
+"""Datasets stored in a single HDF5 file."""
 
 from __future__ import annotations
 

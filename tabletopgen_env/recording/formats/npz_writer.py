@@ -1,4 +1,4 @@
-"""Datasets as a folder of NumPy files."""
+"""Datasets stored as a folder of NumPy files."""
 
 from __future__ import annotations
 

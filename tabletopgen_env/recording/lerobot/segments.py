@@ -81,7 +81,7 @@ class SegmentStore:
         return Path(tempfile.mkdtemp(prefix="new-", dir=self._folder))
 
     def publish(self, segment: Segment, index: int) -> None:
-        """Publish a segment, with its files in a folder from ``begin``, as segment ``index``."""
+        """Publish a segment as segment ``index``; its files must be in a folder from ``begin``."""
         about = {
             "number": segment.number,
             "length": segment.length,

@@ -162,7 +162,7 @@ def _frame(picture: np.ndarray, codec: Codec) -> av.VideoFrame:
 
 
 def _mux(file: Any, packets: Sequence[Any], fps: int) -> None:
-    """Write packets with a duration of one frame each, including the last one of a file."""
+    """Write packets with a duration of one frame each, including the last packet of a file."""
     for packet in packets:
         packet.duration = round(1 / (fps * packet.time_base))
         file.mux(packet)

@@ -59,7 +59,7 @@ class AnswerBook:
         return len(kept)
 
     def read(self, study: str) -> dict[str, list[Any]]:
-        """Return the answers of a study by rater.
+        """Return the answers to a study, grouped by rater.
 
         Raises:
             RefusedError: the id is invalid.

@@ -1,4 +1,4 @@
-"""Scene list entries of bundles, from their ``scene.json`` alone."""
+"""Entries of bundles in the scene list, read from their ``scene.json`` alone."""
 
 from __future__ import annotations
 

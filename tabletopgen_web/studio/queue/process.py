@@ -37,7 +37,7 @@ _AFTER = 5.0  # seconds that pipes may stay open after the process has ended
 
 @dataclass(frozen=True)
 class JobEnding:
-    """How a process ended: its return ``code``, as in ``subprocess``; ``late`` after a timeout."""
+    """A process's return ``code`` (see ``subprocess``), and whether it timed out (``late``)."""
 
     code: int
     late: bool = False

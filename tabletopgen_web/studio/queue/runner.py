@@ -24,7 +24,7 @@ _MAX_ERROR = 2000  # maximum length of a message, characters
 
 
 class Runner:
-    """A runner of a store's jobs in processes, ``workers`` at a time."""
+    """A runner of a store's jobs, in up to ``workers`` concurrent processes."""
 
     def __init__(self, store: JobStore, order: Order, workers: int) -> None:
         self._store, self._order, self._workers = store, order, workers

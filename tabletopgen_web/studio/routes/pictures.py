@@ -16,7 +16,7 @@ from .responses import answer, answer_picture
 
 
 async def add_picture(request: Request) -> Response:
-    """Store the picture in the body."""
+    """Store the picture from the request's body."""
     services = services_of(request)
     async with services.uploads:
         data = await read_body(request, MAX_BYTES)

@@ -45,7 +45,7 @@ async def add_answer(request: Request) -> Response:
 
 
 async def list_answers(request: Request) -> Response:
-    """Return the answers of a study by rater."""
+    """Return the answers to a study, grouped by rater."""
     study = request.path_params["study"]
     return answer({"study": study, "answers": await asyncio.to_thread(
         services_of(request).answers.read, study)})  # fmt: skip

@@ -1,4 +1,4 @@
-"""Cancellation of requests when their client disconnects or the studio shuts down."""
+"""Cancellation of a request when its client disconnects or the studio shuts down."""
 
 from __future__ import annotations
 

@@ -71,7 +71,7 @@ class Telling:
         self._lock = threading.Lock()
 
     def say(self, **message: Any) -> None:
-        """Send one message; end this process if the server has gone."""
+        """Send one message; end this process if the server can no longer be reached."""
         try:
             with self._lock:
                 self._file.write(json.dumps(message).encode() + b"\n")

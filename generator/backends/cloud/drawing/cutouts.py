@@ -152,7 +152,7 @@ def _register(mask: Mask, cutout: Cutout) -> tuple[float, Float[np.ndarray, "2"]
 def _best(
     mask: Mask, cutout: Cutout, scales: Float[np.ndarray, "k"], side: int
 ) -> tuple[float, Float[np.ndarray, "2"]]:
-    """Return the scale and the shift with the largest gain at a resolution of ``side`` pixels."""
+    """Return the scale and shift of ``mask`` with the largest gain, at ``side`` pixels per side."""
     seen, worth = _worth(cutout, side)
     best = (-np.inf, 1.0, np.zeros(2))
     for scale in scales.tolist():
@@ -166,7 +166,7 @@ def _best(
 
 
 def _worth(cutout: Cutout, side: int) -> tuple[Mask, Float[np.ndarray, "s s"]]:
-    """Return the visible region, and the gain per covered pixel: 1 inside, 0 or -1 outside."""
+    """Return the visible region and a map of gains: 1 inside it, 0 where unknown, -1 elsewhere."""
     seen = _small(cutout.seen, side)
     return seen, np.where(seen, 1.0, np.where(_small(cutout.unknown, side), 0.0, -1.0))
 

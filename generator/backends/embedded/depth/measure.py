@@ -49,7 +49,7 @@ class ObservedSolid:
 
     @property
     def inner(self) -> float:
-        """The height at the centre, seen from above; for a container, the height of its floor."""
+        """The height of the visible surface at the centre, such as the floor of a container."""
         middle = self._within(0.3)
         heights = self.points[middle, 2] if middle.any() else self.points[:, 2]
         return float(np.percentile(heights, 20))
@@ -162,7 +162,7 @@ def _box(
 def _deepen(
     center: Float[np.ndarray, "2"], yaw: float, extent: tuple[float, float], camera: Camera
 ) -> tuple[Float[np.ndarray, "2"], float, tuple[float, float]]:
-    """Return the box of an object with a hidden top, extended away from the camera."""
+    """Return an object's box, extended away from the camera because the top is hidden."""
     length, width = extent
     away = center - camera.position[:2]
     away /= np.linalg.norm(away)

@@ -1,4 +1,4 @@
-"""Placement of models by depth: the visible part of a model is moved to the observed points."""
+"""Placement of models with depth maps: a model's visible part is moved to the observed points."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The metric table plane of an RGB-D picture, found from its points rather than its colours.
+"""The metric table plane of an RGB-D picture, found from 3D points instead of colours.
 
 Planes are drawn from triples of neighbouring points (a seeded RANSAC: Fischler and Bolles, 1981),
 refined by least squares on their inliers, and scored: a tabletop faces up, is low in the picture,
@@ -166,7 +166,7 @@ def _open(mask: Bool[np.ndarray, "h w"], side: int) -> Bool[np.ndarray, "h w"]:
 
 
 def _refine(level: Level, points: Float[np.ndarray, "n 3"]) -> Level:
-    """Return the least-squares plane through the inliers of ``level``, iterated three times."""
+    """Refine a plane in three iterations, fitting it to its inliers by least squares."""
     for _ in range(3):
         near = np.abs(level.above(points)) < level.spread(points[:, 2])
         if near.sum() < 50:

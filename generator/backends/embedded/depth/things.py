@@ -128,7 +128,7 @@ def confirm(
 def _judge(
     thing: Detection, height: Float[np.ndarray, "h w"], standing: Mask, lying: Mask
 ) -> Detection | None:
-    """Return a detection without the surrounding tabletop, or None if nothing else is left."""
+    """Return a detection without the surrounding tabletop, or None if it is flat and uncertain."""
     mask = np.asarray(thing.mask)
     known = mask & np.isfinite(height)
     if known.sum() < _KNOWN * mask.sum():
@@ -183,7 +183,7 @@ def _rejoin(
 
 
 def _carries(below: ObservedSolid, upper: ObservedSolid) -> bool:
-    """Return whether ``upper`` may stand on ``below``, which must not be merely a front panel."""
+    """Return whether ``upper`` may stand on ``below``, which must be underneath and wide enough."""
     return holds(below, upper) > _HELD and below.extent[1] > _BROAD * upper.extent[1]
 
 
@@ -225,7 +225,7 @@ def _grow(
     depth: Float[np.ndarray, "h w"],
     plane: TablePlane,
 ) -> list[Detection]:
-    """Return the detections, extending hovering ones into regions that touch no other detection."""
+    """Extend seemingly floating detections into regions that touch no other detection."""
     taken = [np.asarray(t.mask) for t in things]
     grown = list(things)
     for region in regions:

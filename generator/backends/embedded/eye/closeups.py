@@ -36,7 +36,7 @@ def closeup(
     tabletop: float,
     slip: Float[np.ndarray, "4"] | None = None,
 ) -> Closeup:
-    """Return the close-up of the object under ``mask``, or of the picture if the mask is empty.
+    """Return the close-up of the object under ``mask``, or the whole picture if the mask is empty.
 
     ``tabletop`` is the number of pixels that the tabletop covers. ``slip`` moves the sides of the
     object's box (left, top, right, bottom) outwards, in fractions of its longer side; training

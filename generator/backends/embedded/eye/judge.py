@@ -139,7 +139,7 @@ def clues_of(detections: Sequence[EyeDetection], region: Float[np.ndarray, "r h 
 
 @dataclass(frozen=True, eq=False)
 class _Shares:
-    """Pairwise overlaps of n detections, with zero diagonals.
+    """Matrices of the pairwise overlaps of n detections, with zero diagonals.
 
     ``visible`` are the masks (as flat pixels at the reduced resolution); ``area`` and ``reach`` are
     the pixel counts of the visible and the whole masks. ``within`` is the fraction of the row's

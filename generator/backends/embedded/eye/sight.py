@@ -89,7 +89,7 @@ def look(image: UInt8[np.ndarray, "h w 3"], minimum: float = 0.4) -> EyeReading:
 
 
 def split_shared(masks: Sequence[Bool[np.ndarray, "h w"]]) -> list[Bool[np.ndarray, "h w"]]:
-    """Return disjoint masks; shared pixels go to the smaller mask, whose object is on top."""
+    """Return disjoint masks; shared pixels go to the smaller mask, whose object is in front."""
     shown = list(masks)
     taken = np.zeros_like(masks[0]) if masks else np.zeros(0, bool)
     for k in sorted(range(len(masks)), key=lambda k: int(masks[k].sum())):
@@ -134,7 +134,7 @@ def _resize(image: UInt8[np.ndarray, "h w 3"], factor: float) -> UInt8[np.ndarra
 
 
 def _pad(image: UInt8[np.ndarray, "h w 3"]) -> UInt8[np.ndarray, "a b 3"]:
-    """Pad to multiples of 32 by repeating the last row and column."""
+    """Pad a picture to multiples of 32 pixels by repeating its last row and column."""
     down, right = -image.shape[0] % 32, -image.shape[1] % 32
     return cv2.copyMakeBorder(image, 0, down, 0, right, cv2.BORDER_REPLICATE)
 
@@ -179,7 +179,7 @@ def _closer(
 def _new(
     seen: list[EyeDetection], more: list[tuple[float, Frame, Tensor]], size: tuple[int, ...]
 ) -> list[EyeDetection]:
-    """Return ``seen`` with the crops' detections that match none of them, without duplicates."""
+    """Return ``seen`` extended by the crops' detections, without duplicates."""
     taken = [(detection.visible, int(detection.visible.sum())) for detection in seen]
     new: list[EyeDetection] = []
     for score, frame, masks in more:

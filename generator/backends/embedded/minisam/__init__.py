@@ -1,1 +1,1 @@
-"""Segmentation by a downloadable promptable model (the outlines) and the detector (the rest)."""
+"""Segmentation with a downloadable promptable model for outlines, and the detector for the rest."""

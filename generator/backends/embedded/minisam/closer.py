@@ -42,7 +42,7 @@ _COVERS = 0.85  # minimum mutual coverage of this mask and the two outlines
 
 @dataclass(frozen=True, eq=False)
 class Closer:
-    """The result of a close-up: an outline, and the whole object's mask if the outline is a part.
+    """The outline from a close-up, and the whole object's mask if the outline shows only a part.
 
     ``firm`` is True if no other piece needs to confirm the whole.
     """

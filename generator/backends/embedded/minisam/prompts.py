@@ -1,4 +1,4 @@
-"""Prompts: boxes around detected objects, then points where objects are not yet covered.
+"""Prompts: boxes around detected objects, then points on objects that no mask covers yet.
 
 A grid of points over the whole picture would find the same objects as the detector's object map, at
 ten times the cost. Uncertain points come last.

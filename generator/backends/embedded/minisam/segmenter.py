@@ -1,4 +1,4 @@
-"""A segmenter that prompts a promptable model with detections; the detector also gives names."""
+"""A segmenter that prompts a promptable model with detections; the detector names the objects."""
 
 from __future__ import annotations
 
@@ -163,7 +163,7 @@ def _thing(
     names: Float[np.ndarray, "k"],
     known: Sequence[EyeDetection],
 ) -> EyeDetection:
-    """Convert a mask to a detection, with the confidence and hidden part of the closest one."""
+    """Convert a mask to a detection, with confidence and hidden part from the closest known one."""
     overlap = [mask_iou(mask, d.visible) for d in known]
     best = int(np.argmax(overlap)) if overlap else -1
     if best < 0 or overlap[best] < 0.5:

@@ -1,4 +1,4 @@
-"""Selection of the masks that are objects, among nested and duplicate ones.
+"""Selection of the masks of objects among nested and duplicate masks.
 
 The detector's names decide: an object in or on another has a clear name of its own, or was
 detected; any other nested mask is a part.

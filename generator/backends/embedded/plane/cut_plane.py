@@ -1,4 +1,4 @@
-"""The outline of a tabletop cut by the frame: true edges where visible, or else the frame.
+"""The outline of a tabletop that the frame cuts off: its edges where visible, or else the frame.
 
 The usual fit (``plane``) explains a complete outline and estimates the camera from it. In a
 close-up, or if the frame cuts it, an outline does not determine the camera. Here the camera is
@@ -65,7 +65,7 @@ def frame_share(mask: Bool[np.ndarray, "h w"]) -> float:
 
 
 def is_cut(mask: Bool[np.ndarray, "h w"]) -> bool:
-    """Return whether the frame cuts a tabletop too much to estimate the camera from its outline."""
+    """Return whether too much of a tabletop is cut off to estimate the camera from its outline."""
     return frame_share(mask) > CUT_SHARE
 
 
@@ -188,7 +188,7 @@ def _rim(
 
 
 def _holding(rim: _Rim, carried: Float[np.ndarray, "n 2"]) -> _Rim:
-    """Return the rim with the outline of ``carried`` added, which the tabletop must contain."""
+    """Return the rim with the outline of the points ``carried``, which must be on the tabletop."""
     outline = _sample(convex_outline(carried), _POINTS // 4)
     middle = carried.mean(0)
     away = np.linalg.norm(outline - middle, axis=1, keepdims=True)
@@ -267,7 +267,7 @@ def _unpack(p: np.ndarray) -> tuple[np.ndarray, float, tuple[float, float], floa
 
 
 def _off(p: np.ndarray, rim: _Rim, shape: OutlineShape, flipped: bool) -> Float[np.ndarray, "n"]:
-    """Return pixel distances from the outline, or 0 for points inside that are not on an edge."""
+    """Return the points' pixel distances from the outline; inside, points not on an edge have 0."""
     center, turn, size, radius = _unpack(p)
     places = (rim.places - center) @ rotation_z(turn)[:2, :2]
     off = outline_distance(places, shape, flipped, size, radius) / rim.pixel

@@ -81,7 +81,7 @@ def whole_box(instance: Instance) -> Float[np.ndarray, "4"]:
 
 @lru_cache(maxsize=256)
 def usual_solid(key: str) -> Float[np.ndarray, "n 3"]:
-    """Return a category's typical object in metres on z = 0, as read-only outer points."""
+    """Return the outer points (read-only) of a category's typical object on z = 0, in metres."""
     points = hull_points(build(key, 0).mesh.vertices.astype(float))
     solid = (points + np.array([0.0, 0.0, 0.5])) * CATEGORIES[key].size
     solid.flags.writeable = False

@@ -38,7 +38,7 @@ _TRUST = 12.0  # number of independent edge points that a complete outline is wo
 
 @dataclass(frozen=True)
 class _Kind:
-    """A kind of tabletop, with priors for log(depth / length) and for the azimuth in radians."""
+    """A kind of tabletop, with priors for log(width / length) and for the azimuth in radians."""
 
     shape: OutlineShape
     flipped: bool
@@ -322,7 +322,7 @@ def fit_plane(
     length: float | None = None,
     view: View | None = None,
 ) -> TablePlane:
-    """Estimate the camera and the tabletop from the outline of a complete top, in working pixels.
+    """Estimate the camera and the tabletop from a complete tabletop's outline, in working pixels.
 
     ``factor`` is working pixels per picture pixel, ``size`` the picture's width and height in
     pixels, and ``expected`` the elevation and field of view that the picture suggests. ``plan``,

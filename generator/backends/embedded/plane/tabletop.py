@@ -1,4 +1,4 @@
-"""Detection of the camera and of a tabletop that is complete, cut by the frame, or at eye level."""
+"""Detection of the camera and of a tabletop that is complete, cut off, or at eye level."""
 
 from __future__ import annotations
 

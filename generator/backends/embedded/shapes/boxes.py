@@ -1,4 +1,4 @@
-"""Boxes of any yaw that fit a silhouette, and boxes that a silhouette carves."""
+"""Boxes of any yaw that fit a silhouette, and boxes carved to match a silhouette."""
 
 from __future__ import annotations
 

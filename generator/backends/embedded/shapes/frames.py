@@ -23,7 +23,7 @@ def _image_box(pixels: Float[np.ndarray, "n 2"]) -> tuple[np.ndarray, np.ndarray
 def frame_to_mask(
     vertices: Float[np.ndarray, "n 3"], projection: Projection, mask: Mask
 ) -> tuple[float, Float[np.ndarray, "3"]]:
-    """Return the scale and shift that make a shape's projection best fill the mask's box.
+    """Return the scale and shift for which a shape's projection best fills a mask's bounding box.
 
     The shift is parallel to the image plane; the scale makes the areas of the boxes equal.
     """

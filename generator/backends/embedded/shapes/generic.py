@@ -151,7 +151,7 @@ def _rectangular(posed: PosedSolid) -> bool:
 
 
 def _area(posed: PosedSolid, sweep: int) -> float:
-    """Return the area of an extruded outline: the solid's volume divided by its depth."""
+    """Return an extruded outline's area: the solid's volume divided by the extrusion length."""
     points = posed.solid.vertices
     a, b, c = (points[posed.solid.faces[:, k]] for k in range(3))
     return float((np.cross(a, b) * c).sum() / 6 / np.ptp(points[:, sweep]))

@@ -33,7 +33,7 @@ class BoxDetection:
 
 
 class Finder(Protocol):
-    """A model that detects objects by words."""
+    """A model that detects objects described by words."""
 
     def find(
         self, image: UInt8[np.ndarray, "h w 3"], words: Sequence[str], tiles: Sequence[Tile]
@@ -140,7 +140,7 @@ def separate(detections: Sequence[BoxDetection], minimum: float) -> list[BoxDete
 
 
 def _is_group(detection: BoxDetection, detections: Sequence[BoxDetection]) -> bool:
-    """Return whether a mask combines two or more smaller ones of the same word."""
+    """Return whether a mask combines two or more smaller masks of the same word."""
     inside = [f.mask for f in detections if _holds(detection, f)]
     if len(inside) < 2:
         return False
@@ -149,7 +149,7 @@ def _is_group(detection: BoxDetection, detections: Sequence[BoxDetection]) -> bo
 
 
 def _holds(outer: BoxDetection, part: BoxDetection) -> bool:
-    """Return whether a mask lies in a larger one of the same word."""
+    """Return whether a mask lies in a larger mask of the same word."""
     area = part.mask.sum()
     smaller = outer.label == part.label and area < outer.mask.sum()
     return bool(smaller and (outer.mask & part.mask).sum() > _WITHIN * area)

@@ -242,7 +242,7 @@ class BracketReader(PlaceReader):
         return True
 
     def _listed_attributes(self, noun: Noun | None, out: list[Post]) -> bool:
-        """Parse ", small, medium and large" and ", one red and one blue" after several objects."""
+        """Parse ", small, medium and large" and ", one red and one blue" after a plural noun."""
         if noun is None or not (noun.plural or (noun.count or 1) > 1):
             return False
         before, each = self.i, []

@@ -241,7 +241,7 @@ def _describes(noun: Noun, before: Noun) -> bool:
 
 
 def _is_elsewhere(item: Noun, how: How) -> bool:
-    """Return whether an item in a list after "with" has a position apart from the other items."""
+    """Return whether a list item after "with" has its own position, apart from the other items."""
     return how == "with" and any(
         isinstance(post, Location)
         and post.kind in ("left_of", "right_of", "behind", "in_front_of", "next_to")

@@ -140,7 +140,7 @@ class PlaceReader(Cursor):
             out.append(Description(({},), tuple(lengths)))
 
     def _place_apart(self, distance: tuple[int, float], *, leading: bool) -> Location | None:
-        """Parse a place after a distance, which plans omit; a long distance rules out "next to"."""
+        """Parse a place after a distance; plans omit distances, but long ones exclude "next to"."""
         before, (self.i, meters) = self.i, distance
         said = " ".join(token.text for token in self.tokens[before : self.i])
         place = self._place(leading=leading)

@@ -255,7 +255,7 @@ class PostReader(HoldingReader):
         return True
 
     def _ellipsis(self, noun: Noun | None, out: list[Post]) -> bool:
-        """Parse a clause without a verb about one of several objects: "the third two doughnuts"."""
+        """Parse a verbless clause about one of several objects: "the third two doughnuts"."""
         told = noun is not None and noun.kind == "member" and (noun.ordinal or noun.other)
         if not told or out or not self._starts_noun(0, determined=True):
             return False

@@ -76,7 +76,7 @@ class Carry:
 
 @dataclass(frozen=True)
 class Lack:
-    """Objects that an object lacks, or a ``place`` where it is said not to be."""
+    """Objects that an object lacks, or a ``place`` where the object is said not to be."""
 
     items: tuple[Noun, ...]
     place: Location | None = None
@@ -224,7 +224,7 @@ class Sentence:
 
 
 def list_unread(sentences: Sequence[Sentence], read: Collection[Span]) -> list[str]:
-    """Return the objects in the sentences, as written, whose place was not interpreted."""
+    """Return the objects whose place was not interpreted, in the words of the sentences."""
     return [
         " ".join(noun.words)
         for noun in _nouns(sentences)

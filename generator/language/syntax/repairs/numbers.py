@@ -103,7 +103,7 @@ class _Quantities:
 
 
 def _quantities(sentences: Sequence[Sentence], people: Iterable[int], objects: int) -> _Quantities:
-    """Return the quantities in sentences; those of parts and zones are not used."""
+    """Return the quantities in sentences, except those of parts and zones."""
     nouns = tuple(
         noun
         for sentence in sentences
@@ -131,7 +131,7 @@ def _read_counts(nouns: Sequence[Noun], posts: Sequence[Counted | Description]) 
 
 
 def _spelt_unused(text: str, nouns: Iterable[Noun]) -> Iterator[WrittenNumber]:
-    """Yield spelled-out numbers of parts ("three handles") and those in names ("ten euro note")."""
+    """Yield spelled-out part counts ("three handles") and numbers in names ("ten euro note")."""
     for noun in nouns:
         start, end = noun.span
         found = _SPELT.search(text, start, end)
@@ -219,7 +219,7 @@ def _nouns_of(post: Post) -> Iterator[Noun]:
 
 
 def _posts_of(predicate: Sequence[Post], nouns: Sequence[Noun]) -> list[Counted | Description]:
-    """Return descriptions and counts; in "a mug (2)", the count comes first."""
+    """Return descriptions and counts, except counts after nouns that have a count of their own."""
     posts = [*predicate]
     for noun in nouns:
         posts += [p for p in noun.post if not isinstance(p, Counted) or noun.count is None]

@@ -249,7 +249,7 @@ def _role(text: str, found: re.Match[str], unit: str) -> tuple[Role, str | None]
 
 
 def _is_fraction(digits: str) -> bool:
-    """Return whether digits are only a fraction, but not "1/2", which describes objects."""
+    """Return whether digits are just a fraction other than "1/2", which describes objects."""
     alone = re.fullmatch(rf"\d+/\d+|[{FRACTIONS}]", digits) is not None
     return alone and digits not in ("1/2", "½")
 

@@ -107,7 +107,7 @@ _SMALL = frozenset(
 
 
 def ends_name(text: str, found: re.Match[str]) -> int | None:
-    """Return how many letters after digits belong to a name, or None if they do not.
+    """Return how many letters after digits complete a name, or None if the digits are not in one.
 
     In "4K monitor" they begin a name; in "a Boeing 747 model" a determiner and a capitalised word
     precede them, and no plural follows that they could count.

@@ -30,7 +30,7 @@ class TouchReader:
     def read(
         self, geoms: Int[Tensor, "c 2"], worlds: Int[Tensor, "c"], count: Int[Tensor, "1"]
     ) -> Bool[Tensor, "w s 3"]:
-        """Return which objects the left finger, right finger and any robot part touch.
+        """Return each object's contact flags for the left finger, right finger and any robot part.
 
         ``geoms`` and ``worlds`` describe the contacts, of which the first ``count`` are valid.
         """

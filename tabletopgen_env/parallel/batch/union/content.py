@@ -63,7 +63,7 @@ class BodyGeoms:
 
 @dataclass(frozen=True, eq=False)
 class ObjectContent:
-    """The geoms, the inertia (by ``BODY_FIELDS``) and the initial pose of an object.
+    """The geoms, inertia (keyed by the names in ``BODY_FIELDS``) and initial pose of an object.
 
     ``pose`` holds position and quaternion in the base frame, ``half_extent`` the half extents of
     its box (metres), ``dof_invweight0`` MuJoCo's inverse weights of its six degrees of freedom.
@@ -103,7 +103,7 @@ class SceneContent:
 
     @classmethod
     def of(cls, world: World, looks: bool = False) -> SceneContent:
-        """Read the content of a world without changing it, with the scene's initial poses."""
+        """Read a world's content, with the scene's initial poses; the world is not changed."""
         import mujoco
 
         model, scene = world.model, world.scene

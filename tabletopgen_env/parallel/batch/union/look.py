@@ -93,7 +93,7 @@ class SceneLook:
 
     @classmethod
     def of(cls, world: World) -> SceneLook:
-        """Read the appearance of a world without changing it, with the scene's initial poses."""
+        """Read a world's appearance, with the scene's initial poses; the world is not changed."""
         import mujoco
 
         model = world.model

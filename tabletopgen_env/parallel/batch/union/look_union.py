@@ -122,7 +122,7 @@ def _all_parts(look: SceneLook) -> tuple[DrawnPart, ...]:
 
 
 def _spec(look: SceneLook, skins: dict[str, Skin], slots: int) -> mujoco.MjSpec:
-    """Return a specification with all geoms in the world body, ordered as ``LookUnion.bodies``."""
+    """Return a specification with all geoms in the world body, in ``LookUnion.bodies`` order."""
     import mujoco
 
     spec, kinds = mujoco.MjSpec(), mujoco.mjtGeom

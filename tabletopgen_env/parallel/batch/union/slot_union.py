@@ -47,7 +47,7 @@ _FAR, _FAR_APART = 1000.0, 10.0
 
 
 class SlotUnion:
-    """The union model of a shape.
+    """The union model for a given ``UnionShape``.
 
     Attributes:
         shape: the shape.
