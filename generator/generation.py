@@ -74,7 +74,7 @@ class Config:
         object.__setattr__(self, "without", tuple(s for s in known if s in self.without))
 
     def for_text(self) -> Config:
-        """Return the settings for texts; rotation is faster unless its settings were changed."""
+        """Return the settings for prompts, with quick rotation unless its settings were changed."""
         device = self.rotation.device
         if self.rotation != RotationConfig(device=device):
             return self

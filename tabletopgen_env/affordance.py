@@ -311,7 +311,7 @@ def top_surface(
 def part_span(
     part: ConvexPart, points: Float[np.ndarray, "n 2"]
 ) -> tuple[Int[np.ndarray, "m"], Float[np.ndarray, "m"], Float[np.ndarray, "m"]]:
-    """Return the indices of points (x, y) over a part, and the part's lower and upper height there.
+    """Return the indices of points (x, y) over a part, and the part's extent in height there.
 
     The surfaces are the highest downward-facing and the lowest upward-facing plane of its hull.
     """

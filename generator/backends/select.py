@@ -200,7 +200,7 @@ def _identity(backend: Any) -> dict[str, Any]:
 
 
 def stable_name(kind: type) -> str:
-    """Return the name of a class in provenance, independent of its module.
+    """Return the name by which provenance records a class, which does not depend on its module.
 
     A backend in the table is called by its name and role ("embedded.modeler"), another class of
     this project by its bare name, and a user's class by its module and name.

@@ -89,8 +89,8 @@ def _doubt_things(seen: Comparison, things: list[Score]) -> tuple[str, ...]:
     doubts = []
     if things and seen.mean_iou < _THINGS:
         doubts.append(
-            f"The simulated objects overlap the picture's by {100 * seen.mean_iou:.0f} % on "
-            f"average (the minimum is {100 * _THINGS:.0f} %)."
+            f"The simulated objects overlap those in the picture by "
+            f"{100 * seen.mean_iou:.0f} % on average; the threshold is {100 * _THINGS:.0f} %."
         )
     if gone and _MANY * len(gone) >= len(things):
         doubts.append(f"These objects are not where the picture shows them: {', '.join(gone)}.")

@@ -186,8 +186,8 @@ def read_depth(
     raw = source if isinstance(source, np.ndarray) else _decode_depth(source, config)
     if raw.shape != (size[1], size[0]):
         raise InputError(
-            f"The depth map has shape {raw.shape}, the picture is {size[0]}x{size[1]}. Pass a map "
-            f"of shape {(size[1], size[0])}, aligned with the picture."
+            f"The depth map has shape {raw.shape}, but the picture is {size[0]}x{size[1]}. Pass a "
+            f"map of shape {(size[1], size[0])}, aligned with the picture."
         )
     if raw.dtype != np.uint16 and not np.issubdtype(raw.dtype, np.floating):
         raise InputError(

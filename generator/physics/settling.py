@@ -30,12 +30,13 @@ def settle(
     shake: float = 0.0,
     simulation: Simulation | None = None,
 ) -> tuple[Pose, ...]:
-    """Simulate for ``minimum`` to ``seconds``, until all objects are at rest, and return the poses.
+    """Simulate until all objects are at rest, for at most ``seconds``, and return the poses.
 
-    First, gravity is tilted by ``shake`` (radians) towards each of four sides in turn, so that, for
-    example, a brush that stands free in a mug falls against the rim and stays there. Free motion is
-    damped at a rate of 3 per second, so that round objects stop, except in the last tenth of a
-    second: the returned poses are stable without damping.
+    The simulation takes at least ``minimum`` seconds. First, gravity is tilted by ``shake``
+    (radians) towards each of four sides in turn, so that, for example, a brush that stands free in
+    a mug falls against the rim and stays there. Free motion is damped at a rate of 3 per second, so
+    that round objects stop, except in the last tenth of a second: the returned poses are stable
+    without damping.
 
     Touching objects creep, and creep faster if friction is softer. Friction is therefore soft for
     up to half of the time, so that a heap of fruit settles as much in two seconds as it otherwise

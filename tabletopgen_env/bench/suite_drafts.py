@@ -81,8 +81,9 @@ def draft(
             chosen = _choose(suites, missing, waiting, rated)
             if not chosen:
                 raise SceneError(
-                    f"Too few of the {quota.most} tables drawn for {suites.task} were solved: "
-                    f"{dict(missing)} are missing. Draw more tables, or change the levels."
+                    f"Too few of the {quota.most} tables drawn for {suites.task} were solved. "
+                    f"Tables still missing by level: {dict(missing)}. Draw more tables, or change "
+                    "the levels."
                 )
             found = pool.map(drawn.certify, [seed for seed, _ in chosen])
             for (seed, hard), table in zip(chosen, found, strict=True):

@@ -173,8 +173,8 @@ PRESETS: Mapping[str, Randomization] = MappingProxyType(
     }
 )  # fmt: skip
 """Presets by name: "none" changes nothing (for recipes, where the setting must be a string);
-"starts" is the randomisation of certificates; "light" varies everything except delays and
-distractors slightly; "strong" varies everything by large amounts."""
+"starts" is the randomisation of certificates; "light" slightly varies everything except
+delays and distractors; "strong" varies everything by large amounts."""
 
 
 def resolve(choice: Randomization | str | None) -> Randomization:

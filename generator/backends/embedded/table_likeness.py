@@ -127,7 +127,7 @@ def _paint(
 def _within(
     points: Float[np.ndarray, "t 2"], on_top: Bool[np.ndarray, "t"]
 ) -> Bool[np.ndarray, "t"]:
-    """Return which points are not close to the top's edge, where the picture may show its side."""
+    """Return which points are not near the tabletop's edge, where the picture may show its side."""
     top = shapely.convex_hull(shapely.MultiPoint(points[on_top]))
     low, high = points[on_top].min(0), points[on_top].max(0)
     inner = top.buffer(-_EDGE * float((high - low).max()))

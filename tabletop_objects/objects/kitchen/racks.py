@@ -259,7 +259,7 @@ def empty_dish_rack(look: Look) -> Shape:
           aliases=("empty wine holder",), themes=("kitchen", "dining"), roles=("big",),
           colors=("wooden", "black"), holder=Holder("side", (0.11, 0.38, 0.11)))  # fmt: skip
 def empty_wine_rack(look: Look) -> Shape:
-    """An empty wooden rack in which wine bottles lie on their sides."""
+    """An empty wooden rack that holds wine bottles on their sides."""
     count, (a, b, c) = read_request(look, 4, (0.075, 0.31, 0.075))
     wood = look.surface(look.color("wooden", "brown", "black", "tan", "charcoal"), "wood")
     columns = max(2, min(3, count))
