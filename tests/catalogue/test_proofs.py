@@ -62,6 +62,13 @@ def test_comments_docstrings_and_layout_do_not_count(tree: Path) -> None:
     assert find_changes(tree, "kit/solids.py", code) == set()
 
 
+def test_error_messages_do_not_count(tree: Path) -> None:
+    code = "def box():\n    if 0:\n        raise ValueError('bad')\n    return 1\n"
+    (tree / "kit/solids.py").write_text(code)
+    assert find_changes(tree, "kit/solids.py", code.replace("bad", "The box is bad.")) == set()
+    assert find_changes(tree, "kit/solids.py", code.replace("if 0", "if 1")) == {"cups", "pens"}
+
+
 def test_docstrings_of_constants_do_not_count(tree: Path) -> None:
     code = "THICK = 2\n'''Thickness of a wall, metres.'''\n"
     assert find_changes(tree, "kit/styles.py", code) == set()

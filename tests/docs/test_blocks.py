@@ -54,6 +54,11 @@ MODULES: Mapping[str, str] = MappingProxyType({
 })  # fmt: skip
 """Where the first Python block of a page goes, which is a module."""
 
+LATER = () if EXHAUSTIVE else (
+    "docs/guides/benchmark.md", "docs/guides/photo.md", "docs/guides/user-study.md",
+)  # fmt: skip
+"""Pages of long blocks, whose commands other tests run, too; only an exhaustive run has them."""
+
 CHEAP = ("docs/concepts/frames.md", "docs/reference/api/index.md")
 """Pages whose blocks run in about a second together."""
 
@@ -120,7 +125,7 @@ def run_python(block: Block, names: dict[str, Any]) -> None:
     exec(compile(padded, str(ROOT / block.page), "exec"), names)
 
 
-@pytest.mark.parametrize("page", [slow(page) for page, found in RUN.items() if found])
+@pytest.mark.parametrize("page", [slow(p) for p, found in RUN.items() if found and p not in LATER])
 def test_the_blocks_of_a_page_run(
     page: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -130,6 +135,10 @@ def test_the_blocks_of_a_page_run(
     for name in ("HOME", "XDG_CACHE_HOME", "XDG_DATA_HOME", "TABLETOPGEN_CALLS"):
         monkeypatch.setenv(name, str(tmp_path / name.lower()))
     monkeypatch.delenv("TABLETOPGEN_CACHE", raising=False)
+    # The kernels of the tests of batches: to compile them anew takes a minute.
+    monkeypatch.setenv(
+        "WARP_CACHE_PATH", os.environ.get("WARP_CACHE_PATH", str(ROOT / "build/warp"))
+    )
     for name, origin in GIVEN.get(page, {}).items():
         shutil.copy(ROOT / origin, folder / name)
     if page == "docs/guides/photo.md" and not EXHAUSTIVE:

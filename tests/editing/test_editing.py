@@ -83,7 +83,7 @@ def test_restyling_keeps_size_and_all_else(desk: Path, tmp_path: Path) -> None:
         (
             lambda b: editing.swap(b, "mug_1", "a vase left of the pen"),
             InputError,
-            "has a position",
+            "contains a position",
         ),
         (
             lambda b: editing.add(b, "a clavichord left of the laptop"),
@@ -116,7 +116,7 @@ def test_a_taken_place_names_the_nearest_free_one(desk: Path) -> None:
         editing.move(desk, "mug_1", (laptop[0], laptop[1]))
     assert e.value.reason == "occupied"
     assert e.value.free is not None
-    assert str(e.value).endswith("is {:.3f} {:.3f}.".format(*e.value.free))
+    assert str(e.value).endswith("is ({:.3f}, {:.3f}) m.".format(*e.value.free))
     edited = editing.move(desk, "mug_1", e.value.free)
     assert edited.scene.report is not None
     assert edited.scene.report.passed

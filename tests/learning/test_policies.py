@@ -123,7 +123,7 @@ def respelt(path: Path, **changes) -> Path:
     ("changes", "why"),
     [
         ({"task": "Juggle"}, "unknown task 'Juggle'"),
-        ({"env": {"scenes": "/etc"}}, "has no 'scenes'"),
+        ({"env": {"scenes": "/etc"}}, "has no setting 'scenes'"),
         ({"env": {"observation": "point_cloud", "points": 10**12}}, "observation='state'"),
         ({"inputs": {"": 10**9}}, "invalid sizes"),
         ({"inputs": {}}, "invalid observation parts"),

@@ -35,6 +35,7 @@ class Smoke:
         codes: exit codes that are no failure: 1 of a script whose figure missed its mark.
         needs: a package without which it cannot run; the test is then skipped.
         program: likewise a program.
+        long: whether only `make test-all` runs it; `make test` prints its help.
     """
 
     arguments: str = ""
@@ -44,6 +45,7 @@ class Smoke:
     codes: Sequence[int] = (0,)
     needs: str = ""
     program: str = ""
+    long: bool = False
 
 
 def _texts(folder: Path) -> None:
@@ -106,6 +108,7 @@ SMOKES: Mapping[str, Smoke] = MappingProxyType({
         "--cases 1 --text 'a bowl' --sheet 0 --out {out} --pictures {out}/pictures"
         + ("" if EXHAUSTIVE else " --variants 'full, refined' 'w/o both'"),
         (*_table("ablation_dev_a_bowl"), "ablation_dev_a_bowl.png", "pictures/*/000.png"),
+        long=True,
     ),
     "benchmarks/baselines.py": Smoke(
         "--recipe {out}/tiny.toml --recipe rule-lift --seeds 0 --episodes 1 --validation 1 "
@@ -132,7 +135,8 @@ SMOKES: Mapping[str, Smoke] = MappingProxyType({
         "--bundles coffee-square --starts 1 --out {out}", _table("certificates"), codes=(0, 1)
     ),
     "benchmarks/cluster.py": Smoke(
-        "--episodes 1 --scenes 2 --out {out}", ("cluster.md",), "| scene bank, 2 fresh tables | 2 "
+        "--episodes 1 --scenes 2 --out {out}", ("cluster.md",), "| scene bank, 2 fresh tables | 2 ",
+        long=True,
     ),
     "benchmarks/compose_speed.py": Smoke(
         "--texts {out}/texts.json --beside {root} --out {out}", ("compose_speed.md",),
@@ -143,6 +147,7 @@ SMOKES: Mapping[str, Smoke] = MappingProxyType({
         ("pages.md",),
         "| coffee-oval | 4 |",
         program="chromium",
+        long=True,
     ),
     "benchmarks/parity.py": Smoke(
         "--bundles vanity --engines MuJoCo --out {out}", _table("parity"), "| vanity | 4 |"
@@ -152,6 +157,7 @@ SMOKES: Mapping[str, Smoke] = MappingProxyType({
         "--recipe reach-clone --set cloning.rounds=1 cloning.episodes=1 cloning.last_steps=5 "
         "--variants 12 --seeds 0 --episodes 1 --out {out}",
         _table("curriculum"),
+        long=True,
     ),
     "benchmarks/drawn_names.py": Smoke(
         "--texts {out}/texts.json --first 0 --out {out}",
@@ -162,9 +168,11 @@ SMOKES: Mapping[str, Smoke] = MappingProxyType({
     "benchmarks/efficiency.py": Smoke(
         "--texts {out}/texts.json --objects 1 1 --cases 1 --out {out}",
         (*_table("efficiency_cpu"), "efficiency_cpu.png"), "1 texts of 1 to 1 objects", _texts,
+        long=True,
     ),
     "benchmarks/end_to_end.py": Smoke(
-        "--texts {out}/texts.json --seeds 1 --out {out}", _table("generate"), prepare=_texts
+        "--texts {out}/texts.json --seeds 1 --out {out}", _table("generate"), prepare=_texts,
+        long=True,
     ),
     "benchmarks/expert.py": Smoke(
         "--scenes coffee-square --task Reach --episodes 1 --out {out}",
@@ -191,23 +199,28 @@ SMOKES: Mapping[str, Smoke] = MappingProxyType({
     ),
     "benchmarks/pace/episodes.py": Smoke("gymnasium CartPole-v1 50", prints='"wall": '),
     "benchmarks/parallel.py": Smoke(
-        "--delay 0.01 --no-warm-up --out {out}", ("parallel.md",), codes=(0, 1)
+        "--delay 0.01 --no-warm-up --out {out}", ("parallel.md",), codes=(0, 1),
+        long=True,
     ),
     "benchmarks/pictures.py": Smoke(
         "{out}/taken --out {out}", (*_table("pictures"), "die.png"),
         "| die | - | 1 | ", prepare=lambda out: take_picture(out / "taken" / "die.png"),
+        long=True,
     ),
     "benchmarks/pose.py": Smoke(
         "single --cases 1 --only mug --out {out}",
         (*_table("pose_single_dev_mug"), "pose_single_dev_mug.png"),
+        long=True,
     ),
     "benchmarks/recording.py": Smoke(
         "--task Reach --scenes coffee-square --episodes 1 --rounds 1 --cameras front "
         "--image-size 16 --out {out}",
         ("recording.md",), "| lerobot, h264 | ", codes=(0, 1),
+        long=True,
     ),
     "benchmarks/rotation_speed.py": Smoke(
-        "--cases 1 --out {out}", ("rotation_speed_cpu.md",), "| wall | 1 |"
+        "--cases 1 --out {out}", ("rotation_speed_cpu.md",), "| wall | 1 |",
+        long=True,
     ),
     "benchmarks/side_by_side.py": Smoke(
         "{out}/before {out}/after --out {out}/both", ("both/table.jpg",), "1 sheets in", _sheets
@@ -222,10 +235,12 @@ SMOKES: Mapping[str, Smoke] = MappingProxyType({
     "benchmarks/speed.py": Smoke(
         "--parts vector pixels resets --share 0.1 --out {out}",
         _table("speed_vector_pixels_resets"), "| vector | steps | 8 slots, 2 threads |",
+        long=True,
     ),
     "benchmarks/two_environments.py": Smoke(
         "--episodes 2 --worlds 2 --scenes vanity --out {out}", _table("two_environments"),
         "| reach-clone | Reach | 2 | 1 |",
+        long=True,
     ),
     "benchmarks/worlds.py": Smoke(
         "--device cpu --worlds 2 --steps 2 --scenes vanity --out {out}", ("worlds_cpu.md",),
@@ -238,11 +253,13 @@ SMOKES: Mapping[str, Smoke] = MappingProxyType({
     "benchmarks/traced.py": Smoke(
         "{root}/examples/pictures --traces {out} --out {out}",
         ("traced_embedded.md", "coffee_table.png"), "| **all** | 1 |", _trace,
+        long=True,
     ),
     "benchmarks/understanding.py": Smoke(
         "--theme terse --limit 1 --sheet 1 --bundles {out}/made --out {out}",
         (*_table("understanding_compose_dev_terse"), "understanding_compose.png", "made/*.json"),
         "| fully correct | ",
+        long=True,
     ),
     "docs/make_page_pictures.py": Smoke(
         "page_gallery studio_make --scenes coffee-square --out {out}",

@@ -1,4 +1,4 @@
-"""Every script of the repository runs: nothing else would notice that one has come to fail."""
+"""Every script of the repository runs; of long benchmarks, `make test` only prints the help."""
 
 import csv
 import os
@@ -9,6 +9,7 @@ import sys
 from pathlib import Path
 
 import pytest
+from extent import EXHAUSTIVE
 from smokes import ROOT, SMOKES
 
 FOLDERS = ("benchmarks", "docs", "examples")
@@ -59,7 +60,9 @@ def test_a_script_runs(script: str, tmp_path: Path) -> None:
         pytest.skip(f"{smoke.program} is not installed: {script} is NOT TRIED")
     if smoke.prepare is not None:
         smoke.prepare(tmp_path)
-    words = [w.format(out=tmp_path, root=ROOT) for w in shlex.split(smoke.arguments)]
+    whole = EXHAUSTIVE or not smoke.long
+    arguments = smoke.arguments if whole else "--help"
+    words = [w.format(out=tmp_path, root=ROOT) for w in shlex.split(arguments)]
     own = {"PYTHONPATH": str(ROOT), "TABLETOPGEN_CACHE": str(tmp_path / "store"),
            "PYTHONDONTWRITEBYTECODE": "1", "TMPDIR": str(tmp_path)}  # fmt: skip
     done = subprocess.run(
@@ -68,8 +71,8 @@ def test_a_script_runs(script: str, tmp_path: Path) -> None:
     )  # fmt: skip
     assert "Traceback" not in done.stderr, done.stderr[-3000:]
     assert done.returncode in smoke.codes, done.stdout[-1000:] + done.stderr[-3000:]
-    assert smoke.prints in done.stdout
-    for glob in smoke.leaves:
+    assert (smoke.prints if whole else "usage: ") in done.stdout
+    for glob in smoke.leaves if whole else ():
         found = [path for path in tmp_path.glob(glob) if path.stat().st_size]
         assert found, f"no {glob}"
         assert [e for path in found if path.suffix == ".csv" for e in errors_in(path)] == []

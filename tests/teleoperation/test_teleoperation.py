@@ -227,7 +227,7 @@ def test_what_a_policy_decides_is_not_asked_for(tmp_path) -> None:
         ("reach-clone", {"cameras": ("front",), "image_size": 64}, "--cameras, --image-size"),
         ("reach-clone", {"task": "Lift", "kinds": ("depth",)}, "the task .Reach.* --task, --kinds"),
         ("reach-clone", {"preset": "kitchen", "observation": "pixels+proprio"}, "--preset, --obs"),
-        ("lift-sight", {"randomization": "strong"}, "Leave out --randomization, or"),
+        ("lift-sight", {"randomization": "strong"}, "Omit --randomization, or"),
     )
     for policy, given, reason in cases:
         config = replace(RecordConfig(scenes=("office-desk",)), **given)

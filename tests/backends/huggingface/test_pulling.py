@@ -116,7 +116,9 @@ def test_weights_without_a_known_digest_have_to_be_safetensors(
 
 def test_a_file_that_the_server_lacks_is_named(hub: Hub, model: Pin, tmp_path: Path) -> None:
     del hub.files["config.json"]
-    with pytest.raises(BackendError, match=r"pull of dinov2: the server has no config.json at f9e"):
+    with pytest.raises(
+        BackendError, match=r"pull of dinov2: the server has no config.json at revision f9e"
+    ):
         pull(model, tmp_path)
 
 
