@@ -28,7 +28,7 @@ from pathlib import Path
 from typing import Any
 
 HERE = Path(__file__).resolve().parent
-COMMAND = (sys.executable, "-m", "generator.cli")
+COMMAND = (sys.executable, "-m", "generator")
 DIGEST = re.compile(r"-[0-9a-f]{12}$")
 COMPOSED, GENERATED, BATCHED = 20, 8, 6
 EDITS = (

@@ -378,7 +378,7 @@ def lines_of(process: subprocess.Popen[bytes], until: float) -> Iterator[str]:
 @pytest.mark.parametrize("stage", ["[1/8]", "[2/8]"])
 def test_a_real_interrupt_of_the_command(stage: str, store: Path) -> None:
     process = subprocess.Popen(
-        [sys.executable, "-m", "generator.cli", "generate", TEXT], stderr=subprocess.PIPE
+        [sys.executable, "-m", "generator", "generate", TEXT], stderr=subprocess.PIPE
     )
     try:
         said: list[str] = []

@@ -47,7 +47,7 @@ def make(text: str, name: str, route: str, seed: int, folder: Path) -> Made:
     kept = folder / f"{name}-{seed}.json"
     if kept.exists():
         return Made(**json.loads(kept.read_text(encoding="utf-8")))
-    command = [sys.executable, "-m", "generator.cli", route, text, "--seed", str(seed), "--json"]
+    command = [sys.executable, "-m", "generator", route, text, "--seed", str(seed), "--json"]
     command += ["--out", str(folder), "--name", f"{name}-{seed}"]
     paths = os.pathsep.join(p for p in (str(ROOT), os.environ.get("PYTHONPATH", "")) if p)
     environment = os.environ | {"PYTHONPATH": paths, "OMP_NUM_THREADS": "1"}

@@ -11,7 +11,7 @@ INTRO = """\
 # Command line
 
 Generated from the commands' own `--help`. `python -m tabletopgen_env COMMAND` is an alias of
-`tabletopgen COMMAND`; `python -m generator.cli COMMAND` runs a source checkout."""
+`tabletopgen COMMAND`; `python -m generator COMMAND` runs a source checkout."""
 
 
 def page() -> str:

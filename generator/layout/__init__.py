@@ -1,9 +1,8 @@
 """Layout of planned objects: relations become natural, collision-free tabletop placements."""
 
-from .arrangement import Layout, arrange, arrange_more, unmet_relations
+from .arrangement import Layout, arrange, arrange_more, lay_out, unmet_relations
 from .furniture import build_models, build_top, table_size
 from .orientation import natural_yaw
-from .table_fit import lay_out
 
 __all__ = [
     "Layout",

@@ -12,13 +12,19 @@ from jaxtyping import Float
 from ..errors import SceneError
 from ..scene import TABLE, Model, Placement, PlannedGroup, PlannedObject, Relation, ScenePlan
 from .footprint import Footprint, footprint, margins
-from .furniture import outline_of
+from .furniture import build_top, outline_of
 from .orientation import natural_yaw
 from .rest import MARGIN, State, cover_with, put_on, stand_on_table, stand_unit, support_of
 from .scores import SIDES, Awaited, Neighbour, Request, violation
 from .units import Unit, units_of
 
 _TRIES = 12
+
+GROWTH = (1.0, 1.15, 1.3)
+"""Growth factors of the table, one per attempt."""
+
+_STRAINED = 1.0
+"""Violation of a relation (``Layout.strain``) at or above which a larger table is tried."""
 
 
 @dataclass(frozen=True)
@@ -307,3 +313,34 @@ def _order(
         done.append(chosen)
         waiting.remove(chosen)
     return done
+
+
+def lay_out(
+    plan: ScenePlan,
+    models: Mapping[str, Model],
+    seed: int,
+    yaws: Mapping[str, float] = MappingProxyType({}),
+) -> tuple[Layout, Model]:
+    """Arrange the models on the plan's table, or on a larger one if they do not fit.
+
+    ``yaws`` prescribes the yaws of some objects, in radians.
+
+    Raises:
+        SceneError: The objects do not fit on any plausible table.
+    """
+    error: SceneError | None = None
+    best: tuple[Layout, Model] | None = None
+    for growth in GROWTH:
+        try:
+            table = build_top(plan, models, seed, growth)
+            layout = arrange(plan, models, table, seed, yaws)
+        except SceneError as failed:
+            error = failed
+            continue
+        if best is None or layout.strain < best[0].strain:
+            best = layout, table
+        if layout.strain < _STRAINED:
+            break
+    if best is None:
+        raise error or SceneError("No table size was tried.")
+    return best

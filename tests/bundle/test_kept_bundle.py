@@ -17,6 +17,6 @@ def test_a_bundle_of_an_earlier_version_loads() -> None:
 
 
 def test_it_is_sound_and_as_it_was_written() -> None:
-    words = [sys.executable, "-m", "generator.cli", "verify", str(KEPT)]
+    words = [sys.executable, "-m", "generator", "verify", str(KEPT)]
     done = subprocess.run(words, capture_output=True, text=True, timeout=120)
     assert done.returncode == 0, done.stdout + done.stderr

@@ -158,7 +158,7 @@ def test_an_object_that_is_not_in_the_index_is_checked(folder: Path) -> None:
     shutil.copytree(Path(catalogue.__file__).parent, copy)
     (copy / "objects/sports/whistles_of_test.py").write_text(NEW.replace("MASS", "0.01"))
     done = subprocess.run(
-        [sys.executable, "-m", "generator.cli", "objects", "check", "test_whistle", "--json"],
+        [sys.executable, "-m", "generator", "objects", "check", "test_whistle", "--json"],
         capture_output=True, text=True, cwd=folder, timeout=240,
         env={**os.environ, "PYTHONPATH": f"{folder}{os.pathsep}{ROOT}"},
     )  # fmt: skip
