@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 DURATIONS = Path(__file__).with_name("durations.json")
-LONG = 0.7
+LONG = 0.5
 """Seconds from which a test function, all its parameters together, is left out."""
 
 
