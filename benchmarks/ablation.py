@@ -11,8 +11,7 @@ Each split has its own catalogue variants and random numbers: develop on "dev", 
 are written to ``ablation_<split>.csv`` as scenes finish (a second run resumes), then the table to
 ``ablation_<split>.md`` and the scenes ``--sheet`` as placed, seen from the picture's camera, to
 ``ablation_<split>.png``; the pictures of all scenes go to ``--pictures``/ablation_<split>/. With
-``--text`` every scene has that text, which is appended to the file names. ``--variants`` are the
-rows to make, by default all.
+``--text`` every scene has that text, which is appended to the file names.
 """
 
 from __future__ import annotations
@@ -37,9 +36,6 @@ def main() -> None:
     p.add_argument("--split", choices=tuple(STREAMS), default="dev")
     p.add_argument("--seed", type=int, default=1)
     p.add_argument("--text", default="", help="text of every scene; by default themes")
-    p.add_argument(
-        "--variants", nargs="+", choices=(*ablations.VARIANTS,), default=(*ablations.VARIANTS,)
-    )
     p.add_argument("--workers", type=int, default=1)
     p.add_argument("--sheet", type=int, nargs="*", default=(0, 1, 2), help="scenes on the sheet")
     p.add_argument("--note", default="", help="observations, printed below the table")
@@ -57,8 +53,7 @@ def main() -> None:
     name = f"ablation_{args.split}" + (f"_seed{args.seed}" if args.seed != 1 else "")
     if args.text:
         name += "_" + "_".join(re.findall(r"\w+", args.text.lower()))[:40]
-    strips = args.pictures / name
-    how = ablations.AblationRun(args.split, args.seed, strips, args.text, tuple(args.variants))
+    how = ablations.AblationRun(args.split, args.seed, args.pictures / name, args.text)
     try:
         args.out.mkdir(parents=True, exist_ok=True)
         table = args.out / f"{name}.csv"

@@ -3,13 +3,13 @@
     python benchmarks/efficiency.py --cases 20
     python benchmarks/efficiency.py --cases 20 --device cuda
 
-Uses the first texts of ``benchmarks/table78.json`` whose plan has 6 to 9 objects (``--objects``),
-in the file's order. Writes one row per scene to ``efficiency_<device>.csv`` (a second run resumes),
-then the table to ``efficiency_<device>.md`` and one bar per scene to ``efficiency_<device>.png``.
-Seconds are the pipeline's own (``Generation.seconds``): wall-clock, and CPU time of this process
-without that of convex decomposition, which has its own process. ``--device`` is the device of the
-rotation stage. The first scene includes loading. Run it alone on the machine; ``--note`` is added
-to the table's head, for instance if it was not alone.
+Uses the first texts of ``benchmarks/table78.json`` whose plan has 6 to 9 objects, in the file's
+order. Writes one row per scene to ``efficiency_<device>.csv`` (a second run resumes), then the
+table to ``efficiency_<device>.md`` and one bar per scene to ``efficiency_<device>.png``. Seconds
+are the pipeline's own (``Generation.seconds``): wall-clock, and CPU time of this process without
+that of convex decomposition, which has its own process. ``--device`` is the device of the rotation
+stage. The first scene includes loading. Run it alone on the machine; ``--note`` is added to the
+table's head, for instance if it was not alone.
 """
 
 from __future__ import annotations
@@ -52,15 +52,12 @@ _COLORS = ((148, 148, 148), (31, 119, 180), (148, 90, 180), (220, 130, 20), (214
 _INK, _PALE = (40, 44, 52), (222, 226, 232)
 
 
-def texts_of(
-    path: Path, cases: int, seed: int, objects: tuple[int, int] = (FEWEST, MOST)
-) -> list[tuple[str, int]]:
-    """Return the first texts of a file whose plan has so many objects, with that number."""
-    fewest, most = objects
+def texts_of(path: Path, cases: int, seed: int) -> list[tuple[str, int]]:
+    """Return the first texts of a file whose plan has 6 to 9 objects, with that number."""
     found = []
     for text in tables.texts_in(path):
         count = len(plan_scene(text, seed).objects)
-        if fewest <= count <= most:
+        if FEWEST <= count <= MOST:
             found.append((text, count))
     return found[:cases]
 
@@ -87,15 +84,12 @@ def say(rows: list[Row]) -> str:
     return f"{row['text'][:50]!r}: {label}"
 
 
-def summary(
-    rows: Sequence[Row], command: str, note: str = "", objects: tuple[int, int] = (FEWEST, MOST)
-) -> str:
+def summary(rows: Sequence[Row], command: str, note: str = "") -> str:
     """Return the table of medians as Markdown."""
-    fewest, most = objects
     done = [r for r in rows if not r["error"]]
     total = column(done, "wall_total")
     lines = [
-        f"# Seconds per stage: {len(done)} texts of {fewest} to {most} objects",
+        f"# Seconds per stage: {len(done)} texts of {FEWEST} to {MOST} objects",
         f"`{command}`, {tables.where()}{'; ' + note if note else ''}",
         "",
         "| stage | seconds, median | 90 % within | share of all time | CPU seconds, median "
@@ -163,9 +157,6 @@ def main() -> None:
     p = argparse.ArgumentParser(description=__doc__.splitlines()[0] if __doc__ else "")
     p.add_argument("--texts", type=Path, default=HERE / "table78.json")
     p.add_argument("--cases", type=int, default=20)
-    p.add_argument(
-        "--objects", type=int, nargs=2, default=(FEWEST, MOST), metavar=("FEWEST", "MOST")
-    )
     p.add_argument("--seed", type=int, default=0)
     p.add_argument("--device", choices=("cpu", "cuda"), default="cpu")
     p.add_argument("--note", default="", help="a remark about the machine")
@@ -174,8 +165,7 @@ def main() -> None:
     if args.cases < 1:
         raise SystemExit("--cases must be at least 1.")
     name = f"efficiency_{args.device}"
-    fewest, most = args.objects
-    jobs = texts_of(args.texts, args.cases, args.seed, (fewest, most))
+    jobs = texts_of(args.texts, args.cases, args.seed)
     try:
         args.out.mkdir(parents=True, exist_ok=True)
         table = args.out / f"{name}.csv"
@@ -185,7 +175,7 @@ def main() -> None:
         write_picture(bars(rows), args.out / f"{name}.png")
     except TabletopError as error:
         raise SystemExit(str(error)) from error
-    text = summary(rows, tables.command_line("--note"), args.note, (fewest, most))
+    text = summary(rows, tables.command_line("--note"), args.note)
     (args.out / f"{name}.md").write_text(text)
     print(text)
 

@@ -168,10 +168,6 @@ def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--delay", type=float, default=1.0, help="seconds per answer")
     parser.add_argument("--workers", type=int, default=8)
-    parser.add_argument(
-        "--warm-up", action=argparse.BooleanOptionalAction, default=True,
-        help="make the scene once before it is timed",
-    )  # fmt: skip
     parser.add_argument("--out", type=Path, default=HERE / "results")
     parser.add_argument("--note", default="")
     args = parser.parse_args()
@@ -183,8 +179,7 @@ def main() -> int:
     with tempfile.TemporaryDirectory(prefix="tabletopgen-parallel-") as folder:
         models = fitted_models.save(Path(folder), laid_table.examples())
         with start_servers(args.delay, models) as servers:
-            if args.warm_up:
-                make_scene(args.workers, servers)
+            make_scene(args.workers, servers)  # warm-up
             one, many = make_scene(1, servers), make_scene(args.workers, servers)
     head = (
         f"Seconds for one scene of six things and a table, {args.delay:g} s an answer.\n"

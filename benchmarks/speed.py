@@ -172,10 +172,6 @@ def main() -> None:
     p.add_argument("--steps", type=int, default=2000)
     p.add_argument("--rounds", type=int, default=3)
     p.add_argument("--resets", type=int, default=10_000, help="resets of the part memory")
-    p.add_argument(
-        "--share", type=float, default=1.0,
-        help="share of the repetitions of resets, pixels and vector",
-    )  # fmt: skip
     p.add_argument("--note", default="", help="a remark about the machine")
     p.add_argument("--out", type=Path, default=HERE / "results")
     args = p.parse_args()
@@ -186,7 +182,6 @@ def main() -> None:
         raise SystemExit(
             f"No virtual environments for {missing} below {args.venvs}. Run with --setup."
         )
-    parts.share = args.share
     rows: list[Row] = []
     with tempfile.TemporaryDirectory() as folder:
         try:

@@ -51,14 +51,6 @@ ROUND, PAUSE = 20.0, 5.0
 """Length of a round, and of the pause before each, seconds."""
 
 
-share = 1.0
-"""Share of the repetitions in resets, pixels and vector; a small one only tries them."""
-
-
-def _repetitions(count: int) -> int:
-    return max(1, round(share * count))
-
-
 def resets(scene: Scene, count: int) -> Found:
     """Time resets to the same scene, to cached scenes, and to newly composed ones."""
     kinds = {
@@ -68,10 +60,9 @@ def resets(scene: Scene, count: int) -> Found:
     }
     found: Found = []
     for name, (env, warm, timed) in kinds.items():
-        for seed in range(_repetitions(warm)):
+        for seed in range(warm):
             env.reset(seed=seed)
-        seeds = range(_repetitions(timed))
-        spent = [1e3 * _seconds(lambda e=env, s=seed: e.reset(seed=s)) for seed in seeds]
+        spent = [1e3 * _seconds(lambda e=env, s=seed: e.reset(seed=s)) for seed in range(timed)]
         found.append(("reset", f"{name}, median", statistics.median(spent), "ms"))
         found.append(("reset", f"{name}, longest", max(spent), "ms"))
         env.close()
@@ -148,8 +139,7 @@ def pixels(scene: Scene, count: int) -> Found:
     for size, renderer in product((84, 128, 256), ("auto", "software")):
         env = make_env(scene, observation="pixels", image_size=size, renderer=renderer)
         env.reset(seed=0)
-        drawer = env._drawer((size, size))
-        times = _repetitions(40 if renderer == "auto" else 6)
+        drawer, times = env._drawer((size, size)), 40 if renderer == "auto" else 6
         setting = f"{size}x{size}, {type(drawer).__name__}"
         spent = [_seconds(lambda d=drawer, e=env: d.rgb(e.world, "front")) for _ in range(times)]
         found.append(("pictures", setting, 1 / statistics.median(spent), "per s"))
@@ -173,8 +163,8 @@ def vector(scene: Scene, count: int) -> Found:
             continue
         with closing(TabletopVectorEnv(slots, scenes=scene, threads=many)) as envs:
             envs.reset(seed=0)
-            step_all(envs, _repetitions(5))
-            wall, used = step_all(envs, _repetitions(max(10, 800 // slots)))
+            step_all(envs, 5)
+            wall, used = step_all(envs, max(10, 800 // slots))
         name = f"{slots} slots, {many} threads"
         found += [("steps", name, wall, "per s"), ("steps", name, used, "per CPU s")]
     return found + _processes(scene, numbers)
@@ -189,8 +179,8 @@ def _processes(scene: Scene, numbers: Sequence[int]) -> Found:
     best = dict.fromkeys(hows, (0.0, 0.0))
     for envs in hows.values():
         envs.reset(seed=0)
-    for name in [*hows] * _repetitions(2 * ROUNDS):
-        seen = step_all(hows[name], _repetitions(20))
+    for name in [*hows] * (2 * ROUNDS):
+        seen = step_all(hows[name], 20)
         best[name] = max(best[name][0], seen[0]), max(best[name][1], seen[1])
     for envs in hows.values():
         envs.close()

@@ -63,15 +63,13 @@ _FAR = 10.0  # millimetres
 class AblationRun:
     """Settings of the rows besides the scene; ``strips`` is the folder of its pictures.
 
-    ``text`` is the text of every scene; without it, each scene has a theme. ``variants`` are names
-    of ``VARIANTS``.
+    ``text`` is the text of every scene; without it, each scene has a theme.
     """
 
     split: str
     seed: int
     strips: Path
     text: str = ""
-    variants: tuple[str, ...] = tuple(VARIANTS)
 
 
 def as_placed(scene: Scene) -> Scene:
@@ -130,10 +128,10 @@ def work(number: int, run: AblationRun) -> list[Row]:
         return [
             dict.fromkeys(FIELDS, "") | {"scene": number, "of": 1, "error": tables.failure(error)}
         ]
-    for variant in run.variants:
+    for variant, config in VARIANTS.items():
         begin = time.process_time()
         try:
-            made = generate(np.asarray(truth.picture), backends, VARIANTS[variant], seed=number)
+            made = generate(np.asarray(truth.picture), backends, config, seed=number)
             new = rows_of(truth, made, time.process_time() - begin)
             tiles[variant] = _tile(made)
         except Exception as error:  # one variant must not abort the run

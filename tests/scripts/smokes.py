@@ -105,8 +105,7 @@ def _table(stem: str) -> tuple[str, str]:
 
 SMOKES: Mapping[str, Smoke] = MappingProxyType({
     "benchmarks/ablation.py": Smoke(
-        "--cases 1 --text 'a bowl' --sheet 0 --out {out} --pictures {out}/pictures"
-        + ("" if EXHAUSTIVE else " --variants 'full, refined' 'w/o both'"),
+        "--cases 1 --text 'a bowl' --sheet 0 --out {out} --pictures {out}/pictures",
         (*_table("ablation_dev_a_bowl"), "ablation_dev_a_bowl.png", "pictures/*/000.png"),
         long=True,
     ),
@@ -135,7 +134,7 @@ SMOKES: Mapping[str, Smoke] = MappingProxyType({
         "--bundles coffee-square --starts 1 --out {out}", _table("certificates"), codes=(0, 1)
     ),
     "benchmarks/cluster.py": Smoke(
-        "--episodes 1 --scenes 2 --out {out}", ("cluster.md",), "| scene bank, 2 fresh tables | 2 ",
+        "--episodes 1 --scenes 3 --out {out}", ("cluster.md",), "| scene bank, 3 fresh tables | 2 ",
         long=True,
     ),
     "benchmarks/compose_speed.py": Smoke(
@@ -166,8 +165,7 @@ SMOKES: Mapping[str, Smoke] = MappingProxyType({
         _texts,
     ),
     "benchmarks/efficiency.py": Smoke(
-        "--texts {out}/texts.json --objects 1 1 --cases 1 --out {out}",
-        (*_table("efficiency_cpu"), "efficiency_cpu.png"), "1 texts of 1 to 1 objects", _texts,
+        "--cases 1 --out {out}", (*_table("efficiency_cpu"), "efficiency_cpu.png"),
         long=True,
     ),
     "benchmarks/end_to_end.py": Smoke(
@@ -199,12 +197,11 @@ SMOKES: Mapping[str, Smoke] = MappingProxyType({
     ),
     "benchmarks/pace/episodes.py": Smoke("gymnasium CartPole-v1 50", prints='"wall": '),
     "benchmarks/parallel.py": Smoke(
-        "--delay 0.01 --no-warm-up --out {out}", ("parallel.md",), codes=(0, 1),
+        "--delay 0.01 --out {out}", ("parallel.md",), codes=(0, 1),
         long=True,
     ),
     "benchmarks/pictures.py": Smoke(
-        "{out}/taken --out {out}", (*_table("pictures"), "die.png"),
-        "| die | - | 1 | ", prepare=lambda out: take_picture(out / "taken" / "die.png"),
+        "{root}/examples/pictures --out {out}", (*_table("pictures"), "coffee_table.png"),
         long=True,
     ),
     "benchmarks/pose.py": Smoke(
@@ -233,7 +230,7 @@ SMOKES: Mapping[str, Smoke] = MappingProxyType({
         _table("soundness_compose"), "| published | 1 / 1 |", _texts,
     ),
     "benchmarks/speed.py": Smoke(
-        "--parts vector pixels resets --share 0.1 --out {out}",
+        "--parts vector pixels resets --out {out}",
         _table("speed_vector_pixels_resets"), "| vector | steps | 8 slots, 2 threads |",
         long=True,
     ),
