@@ -15,6 +15,9 @@ import pytest
 for name in ("MKL_NUM_THREADS", "OPENBLAS_NUM_THREADS"):
     os.environ.setdefault(name, "1")
 
+# Tests of batches and blocks of the docs share compiled kernels: to compile them takes a minute.
+os.environ.setdefault("WARP_CACHE_PATH", str(Path(__file__).parents[1] / "build" / "warp"))
+
 # Tests must not use the files and settings of the user who runs them.
 os.environ["TABLETOPGEN_CACHE"] = str(Path(tempfile.gettempdir()) / f"no-store-{os.getpid()}")
 

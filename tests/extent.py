@@ -7,14 +7,9 @@ import os
 from collections.abc import Iterable
 from typing import TypeVar
 
-import pytest
-
 T = TypeVar("T")
 
 EXHAUSTIVE = bool(os.environ.get("TABLETOPGEN_EXHAUSTIVE"))
-
-exhaustive = pytest.mark.skipif(not EXHAUSTIVE, reason="run by `make test-all`")
-"""Marks a test that repeats what others test, at a larger scale."""
 
 
 def part_of(everything: Iterable[T], *part: T) -> list[T]:

@@ -1,18 +1,17 @@
 """Worlds of shipped tables, and batches of them compared with MuJoCo."""
 
 from functools import cache
-from pathlib import Path
 
 import mujoco
 import numpy as np
 import pytest
 from jaxtyping import Float
+from shipped_bundles import BUNDLES
 
 from generator.bundle import load
 from tabletopgen_env.robot.panda import Panda
 from tabletopgen_env.world.world import World
 
-ROOT = Path(__file__).parents[2]
 COMPILING = 900  # seconds that the kernels may take, on a busy machine
 REASON = "MuJoCo Warp is not installed: pip install 'tabletopgen[gpu]'"
 
@@ -25,11 +24,7 @@ def need_warp() -> None:
 @cache
 def shipped(*names: str) -> tuple[World, ...]:
     """Return the worlds of shipped tables with these names, or of all; read-only."""
-    bundles = sorted(
-        p for p in (ROOT / "assets_cache").glob("*/*/") if (p / "scene.json").is_file()
-    )
-    by_name = {bundle.name.rpartition("-")[0]: bundle for bundle in bundles}
-    return tuple(World(load(by_name[name]), Panda()) for name in names or by_name)
+    return tuple(World(load(BUNDLES[name]), Panda()) for name in names or BUNDLES)
 
 
 def awake(world: World) -> World:

@@ -6,6 +6,7 @@ from typing import Any
 import numpy as np
 import pytest
 import torch
+from extent import count
 from toy import toy_scene
 
 from tabletopgen_env.actions import ACTIONS, Servos
@@ -22,7 +23,7 @@ from tabletopgen_env.robot.chain import chain_at
 from tabletopgen_env.robot.kinematics import LOWER, UPPER, forward, ik_step, rotation_vector
 
 OBJECTS = 12
-SEEDS, STEPS = 2, 120
+SEEDS, STEPS = 2, count(200, 120)
 
 
 @dataclass

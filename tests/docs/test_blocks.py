@@ -14,7 +14,6 @@ import blocks
 import pytest
 from blocks import ROOT, Block
 from extent import EXHAUSTIVE
-from taken_picture import take_picture
 
 from generator.threads import torch_threads
 
@@ -28,7 +27,7 @@ RUN = {
 PICTURE = "examples/pictures/coffee_table.png"
 GIVEN: Mapping[str, Mapping[str, str]] = MappingProxyType({
     "docs/guides/benchmark.md": {"straight_reach.py": "examples/policies/straight_reach.py"},
-    "docs/guides/photo.md": {"desk.png": PICTURE} if EXHAUSTIVE else {},
+    "docs/guides/photo.md": {"desk.png": PICTURE},
 })  # fmt: skip
 """Files that a page takes for granted, and where they come from."""
 
@@ -39,7 +38,6 @@ INSTEAD: Mapping[str, Mapping[str, str]] = MappingProxyType({
     },
     "docs/concepts/pipeline.md": {"a die and a bowl": "a die"},
     "docs/guides/page.md": {"page starter": "page coffee-square", '"kitchen-*"': "coffee-oval"},
-    "docs/guides/user-study.md": {"a desk with a mug": "a die"},
     "docs/quickstart.md": {"a desk with a mug and a stapler": "a die"},
 })  # fmt: skip
 """Smaller inputs that stand for a page's own, which are those of an exhaustive run."""
@@ -135,14 +133,8 @@ def test_the_blocks_of_a_page_run(
     for name in ("HOME", "XDG_CACHE_HOME", "XDG_DATA_HOME", "TABLETOPGEN_CALLS"):
         monkeypatch.setenv(name, str(tmp_path / name.lower()))
     monkeypatch.delenv("TABLETOPGEN_CACHE", raising=False)
-    # The kernels of the tests of batches: to compile them anew takes a minute.
-    monkeypatch.setenv(
-        "WARP_CACHE_PATH", os.environ.get("WARP_CACHE_PATH", str(ROOT / "build/warp"))
-    )
     for name, origin in GIVEN.get(page, {}).items():
         shutil.copy(ROOT / origin, folder / name)
-    if page == "docs/guides/photo.md" and not EXHAUSTIVE:
-        take_picture(folder / "desk.png")
     if page in COPIED:
         shutil.copytree(ROOT / COPIED[page], folder / COPIED[page])
     if page in MODULES:

@@ -15,7 +15,7 @@ import pytest
 from engines.simulations import ENGINES
 from engines.trials import expected_friction, rest_drift, slide_angle
 from extent import part_of
-from shipped import BUNDLES
+from shipped_bundles import BUNDLES
 from toy import toy_object, toy_scene
 
 from generator.bundle import load

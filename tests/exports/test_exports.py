@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from command import Shell, command
 from imported import READERS, Found, settle_drift
-from shipped import BUNDLES, PART
+from shipped_bundles import BUNDLES, PART
 from toy import toy_object, toy_scene
 
 import assets_cache

@@ -12,7 +12,7 @@ import pytest
 import trimesh
 from backends.modelers.foreign import instance
 from imported import READERS
-from shipped import BUNDLES, PART
+from shipped_bundles import BUNDLES, PART
 from test_imports import check_same
 
 from generator.backends.modelers.folder import Folder

@@ -6,9 +6,8 @@ from pathlib import Path
 import pytest
 from browsing.chromium import serve
 from extent import part_of
-from pages import SHIPPED
+from shipped_bundles import BUNDLES
 
-from assets_cache.store import find
 from tabletopgen_web.page.options import FolderOptions
 from tabletopgen_web.page.site import write_site
 
@@ -20,12 +19,11 @@ def shipped() -> list[Path]:
     The part has round, oval and rectangular tables, fruit, glassware, tools, and the tables that
     the tests drive, search for and show beside each other.
     """
-    everything = {path.name[:-13]: path for name in SHIPPED for path in find(name)}
     chosen = part_of(
-        everything, "coffee-oval", "office-desk", "office-round", "tidy-task-2", "kitchen-cutting",
+        BUNDLES, "coffee-oval", "office-desk", "office-round", "tidy-task-2", "kitchen-cutting",
         "dining-fruit", "lab", "workbench",
     )  # fmt: skip
-    return [everything[name] for name in chosen]
+    return [BUNDLES[name] for name in chosen]
 
 
 @pytest.fixture(scope="session")

@@ -4,18 +4,19 @@ from typing import Any
 
 import numpy as np
 import pytest
+from extent import count
 from worlds import two_scenes
 
 from generator.errors import InputError
 from tabletopgen_env.parallel.vector import Processes, TabletopVectorEnv
 
-SLOTS, STEPS = 3, 12  # in two processes, and three episodes each
+SLOTS, STEPS = count(5, 3), count(24, 12)  # in two processes, and three episodes each
 
 
 def play(mode: str, **settings: Any) -> list[Any]:
     """Play a few steps; return the result of every call."""
     env = TabletopVectorEnv(
-        SLOTS, scenes=two_scenes(), autoreset_mode=mode, max_episode_steps=5, **settings
+        SLOTS, scenes=two_scenes(), autoreset_mode=mode, max_episode_steps=count(9, 5), **settings
     )
     rng = np.random.default_rng(0)
     kept: list[Any] = [env.reset(seed=3)]
