@@ -170,7 +170,7 @@ def rough(tmp_path_factory: pytest.TempPathFactory) -> Cut:
 @pytest.mark.slow
 def test_a_rough_mesh_is_cut_coarsely_not_given_up(rough: Cut) -> None:
     assert 1 <= len(rough.parts) <= 24
-    assert 0 < rough.seconds < 30
+    assert 1 < rough.seconds < 30
 
 
 def of_pieces(monkeypatch: pytest.MonkeyPatch, pieces: int) -> list[int]:

@@ -166,7 +166,7 @@ SMOKES: Mapping[str, Smoke] = MappingProxyType({
     ),
     "benchmarks/efficiency.py": Smoke(
         "--cases 1 --out {out}", (*_table("efficiency_cpu"), "efficiency_cpu.png"),
-        long=True,
+        "1 texts of 6 to 9 objects", long=True,
     ),
     "benchmarks/end_to_end.py": Smoke(
         "--texts {out}/texts.json --seeds 1 --out {out}", _table("generate"), prepare=_texts,
@@ -202,7 +202,7 @@ SMOKES: Mapping[str, Smoke] = MappingProxyType({
     ),
     "benchmarks/pictures.py": Smoke(
         "{root}/examples/pictures --out {out}", (*_table("pictures"), "coffee_table.png"),
-        long=True,
+        "| coffee_table | - | 5 | ", long=True,
     ),
     "benchmarks/pose.py": Smoke(
         "single --cases 1 --only mug --out {out}",
